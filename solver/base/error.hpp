@@ -13,6 +13,7 @@ namespace rouleau {
 /// Exit codes of the contract (share/contract.md section 6).
 enum class Exit {
   finished = 0,
+  internal = 1,  ///< a broken promise of our own code; to a manager the same as a crash
   usage = 64,
   bad_input = 65,
   physics = 70,
@@ -21,7 +22,8 @@ enum class Exit {
   superseded = 76,
 };
 
-/// A failure that the outside world caused or must know of: one line that says what, where, the value, the limit, what to do.
+/// A failure that the outside world caused or must know of: one line that says what, where, the value, the limit, what
+/// to do.
 class Error : public std::runtime_error {
  public:
   Error(Exit code, const std::string& message) : std::runtime_error(message), code_(code) {}

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The lattice as a whole, the block of it that one rank owns, and where a node's value stands in memory.
 //
-// Coordinates: node (i, j, k) lies at position (i, j, k) in lattice units. A half-way wall lies at -0.5 and at N - 0.5; a
-// periodic axis has the period N. The channel axis is therefore at (N - 1) / 2.
+// Coordinates: node (i, j, k) lies at position (i, j, k) in lattice units. A half-way wall lies at -0.5 and at N - 0.5;
+// a periodic axis has the period N. The channel axis is therefore at (N - 1) / 2.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace rouleau {
 
 /// The global lattice.
 struct Lattice {
-  Int3 size{};                                  ///< nodes along x, y, z
+  Int3 size{};                                     ///< nodes along x, y, z
   std::array<bool, 3> periodic{true, true, true};  ///< the other axes end in half-way walls
 
   [[nodiscard]] std::ptrdiff_t nodes() const { return std::ptrdiff_t{1} * size[0] * size[1] * size[2]; }

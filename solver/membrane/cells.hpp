@@ -30,8 +30,8 @@ struct CellRange {
   double area_0 = 0;
 };
 
-/// For each vertex the triangles around it: entries [begin[v], begin[v + 1]) of triangle (index) and corner (0, 1, 2), in
-/// ascending triangle order. Sums over a vertex's triangles run in this order, whatever the number of ranks.
+/// For each vertex the triangles around it: entries [begin[v], begin[v + 1]) of triangle (index) and corner (0, 1, 2),
+/// in ascending triangle order. Sums over a vertex's triangles run in this order, whatever the number of ranks.
 struct VertexTriangles {
   Array<std::int32_t> begin, triangle, corner;
 };
@@ -45,15 +45,15 @@ struct Moduli {
 
 /// All cells, arrays concatenated cell after cell.
 struct Cells {
-  Triangles triangles;          ///< indices into the concatenated vertices
-  VertexTriangles around;       ///< topology seen from the vertices
-  VectorArray X_reference;      ///< stress-free shape
-  VectorArray X;                ///< positions, lattice units; a cell is never cut: X may lie up to one period outside the box
-  VectorArray U;                ///< velocities of this step
-  VectorArray U_previous;       ///< of the step before (second-order Adams-Bashforth)
-  VectorArray F;                ///< membrane forces on the fluid
+  Triangles triangles;      ///< indices into the concatenated vertices
+  VertexTriangles around;   ///< topology seen from the vertices
+  VectorArray X_reference;  ///< stress-free shape
+  VectorArray X;            ///< positions, lattice units; a cell is never cut: X may lie up to one period outside
+  VectorArray U;            ///< velocities of this step
+  VectorArray U_previous;   ///< of the step before (second-order Adams-Bashforth)
+  VectorArray F;            ///< membrane forces on the fluid
   std::vector<CellRange> ranges;
-  std::vector<Int3> images;     ///< how many periods a cell has been moved back along each axis: unwrapped x = X + images * period
+  std::vector<Int3> images;  ///< periods a cell was moved back along each axis: unwrapped x = X + images * period
 
   [[nodiscard]] std::size_t vertices() const { return X.size(); }
 };

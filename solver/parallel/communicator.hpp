@@ -29,10 +29,10 @@ class Communicator {
   [[nodiscard]] MPI_Comm raw() const { return comm_; }
 
   void barrier() const;
-  void broadcast(std::string& text) const;                              ///< rank 0's
-  void broadcast(void* bytes, std::size_t count) const;                 ///< rank 0's
-  [[nodiscard]] std::int64_t sum(std::int64_t value) const;             ///< exact
-  void sum(std::int64_t* values, int count) const;                      ///< exact, in place
+  void broadcast(std::string& text) const;                   ///< rank 0's
+  void broadcast(void* bytes, std::size_t count) const;      ///< rank 0's
+  [[nodiscard]] std::int64_t sum(std::int64_t value) const;  ///< exact
+  void sum(std::int64_t* values, int count) const;           ///< exact, in place
   [[nodiscard]] std::int64_t min(std::int64_t value) const;
   [[nodiscard]] std::int64_t max(std::int64_t value) const;
   [[nodiscard]] double max(double value) const;

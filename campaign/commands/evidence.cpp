@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Gathering evidence.
+#include "commands/evidence.hpp"
+
+#include <algorithm>
+
+#include "executor/attempt.hpp"
+#include "ingest/run_files.hpp"
+
+namespace rouleau::campaign {
+
+Gathered gather(const std::filesystem::path& run_directory, int recorded_attempt, const LifeOf& life_of) {
+  Gathered gathered;
+  Evidence& evidence = gathered.evidence;
+  const std::vector<std::int64_t> checkpoints = checkpoint_steps(run_directory);
+  if (!checkpoints.empty()) evidence.newest_checkpoint = checkpoints.back();
+  const std::vector<int> attempts = attempt_numbers(run_directory);
+  evidence.newest_attempt = std::max(recorded_attempt, attempts.empty() ? 0 : attempts.back());
+  if (evidence.newest_attempt == 0) return gathered;
+
+  const std::filesystem::path attempt = attempt_directory(run_directory, evidence.newest_attempt);
+  std::optional<ProcessFile> file = read_process_file(attempt / "process.json", gathered.warnings);
+  if (!file) file = read_process_file(attempt / "started.json", gathered.warnings);  // started by hand
+  if (file) {
+    gathered.process = {file->host, file->boot_id, file->pid, file->start_ticks};
+    gathered.ranks = std::max(1, file->ranks);
+    evidence.life = life_of(gathered.process);
+  }
+  // Life first, record second: a process that ends in between has then left its record already.
+  if (const std::optional<ExitFile> exit = read_exit_file(attempt / "exit.json", gathered.warnings)) {
+    evidence.exit = ExitRecord{exit->code, exit->reason, exit->start_step.value_or(0), exit->step.value_or(0)};
+  } else if (evidence.life == Life::dead) {
+    evidence.last_words = last_line(attempt / "stderr");
+  }
+  return gathered;
+}
+
+Recorded recorded_of(const PointRow& point, const AttemptRow* newest) {
+  Recorded recorded;
+  recorded.state = point.state;
+  recorded.retries_used = point.retries_used;
+  recorded.end_step = point.end_step;
+  if (newest != nullptr) {
+    recorded.attempt = newest->number;
+    recorded.attempt_is_open = newest->state != AttemptState::ended;
+    recorded.checkpoint_at_start = newest->checkpoint_at_start;
+  }
+  return recorded;
+}
+
+}  // namespace rouleau::campaign

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reconciling: evidence to verdict to database.
+#include "commands/manager.hpp"
+
+#include <algorithm>
+
+#include "executor/attempt.hpp"
+#include "ingest/ingest.hpp"
+#include "ingest/result_file.hpp"
+#include "ingest/run_files.hpp"
+#include "study/error.hpp"
+
+namespace rouleau::campaign {
+
+namespace {
+
+std::filesystem::path existing_campaign(const std::filesystem::path& directory) {
+  if (!std::filesystem::exists(directory / "campaign.db")) {
+    fail(Exit::not_found, "{}: is no campaign (it has no campaign.db). `rouleau init STUDY {}` makes one.",
+         directory.string(), directory.string());
+  }
+  return std::filesystem::canonical(directory);
+}
+
+RetryPolicy policy_of(const Execution& execution) {
+  return {static_cast<int>(execution.retries), execution.retry_delay_s, execution.io_retry_delay_s};
+}
+
+/// An attempt that somebody else made, from its files.
+AttemptRow foreign_attempt(const std::filesystem::path& run_directory, const std::string& key, int number,
+                           std::vector<std::string>& warnings) {
+  AttemptRow attempt;
+  attempt.point = key;
+  attempt.number = number;
+  attempt.token = read_first_line(attempt_directory(run_directory, number) / "owner").value_or("");
+  attempt.state = AttemptState::launched;
+  attempt.started_unix_s = now_unix_s();
+  fill_from_files(attempt, run_directory, warnings);
+  return attempt;
+}
+
+}  // namespace
+
+Manager::Manager(const std::filesystem::path& directory, const std::string& verb, Say say)
+    : directory_(existing_campaign(directory)),
+      say_(std::move(say)),
+      lock_(directory_, verb),
+      store_(Store::open(directory_ / "campaign.db")),
+      study_(parse_study(store_.campaign().study_text, directory_ / "study.ini")),
+      policy_(policy_of(study_.execution)),
+      breaker_(static_cast<int>(study_.execution.pause_after_failures)),
+      allowed_(allowed_cores()) {}
+
+std::filesystem::path Manager::run_directory(const std::string& key) const { return point_directory(directory_, key); }
+
+std::string Manager::name_of(const PointRow& point) {
+  std::string& name = names_[point.key];
+  if (name.empty()) {
+    std::string swept;
+    for (const ParameterRow& row : store_.parameters(point.key)) {
+      if (row.swept) swept += (swept.empty() ? "" : ", ") + row.name + " = " + row.text;
+    }
+    name = fmt::format("#{} ({})", point.ordinal, swept.empty() ? point.key : swept);
+  }
+  return name;
+}
+
+void Manager::warn_of(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    if (said_.insert(warning).second) say_("warning: " + warning);
+  }
+}
+
+const LivingJob* Manager::living_job(const std::string& key) const {
+  const auto found = std::find_if(living_.begin(), living_.end(), [&](const LivingJob& job) { return job.key == key; });
+  return found == living_.end() ? nullptr : &*found;
+}
+
+void Manager::reconcile(bool all) {
+  executor_.reap();
+  living_.clear();
+  std::set<std::string> open;
+  for (const AttemptRow& attempt : store_.open_attempts()) open.insert(attempt.point);
+  for (const PointRow& point : store_.points()) {
+    if (!all && !open.contains(point.key) && point.state != State::running) continue;
+    // One bad run must not keep the others from being looked after.
+    try {
+      settle(point);
+      if (all && !is_final(point.state)) warn_of(ingest_point(store_, directory_, point.key).warnings);
+      const bool is_done = store_.point(point.key)->state == State::done;
+      if (all && is_done) finish(point.key);
+    } catch (const Error& error) {
+      warn_of({name_of(point) + ": " + error.what()});
+    }
+  }
+}
+
+void Manager::settle(const PointRow& point) {
+  const std::optional<AttemptRow> newest = store_.newest_attempt(point.key);
+  const Gathered gathered = gather(run_directory(point.key), newest ? newest->number : 0,
+                                   [&](const ProcessIdentity& process) { return executor_.life(process); });
+  warn_of(gathered.warnings);
+  const Evidence& evidence = gathered.evidence;
+  const Recorded recorded = recorded_of(point, newest ? &*newest : nullptr);
+  const Verdict verdict = judge(recorded, evidence, policy_);
+  const bool is_unseen = evidence.life == Life::unknown && !evidence.exit && !is_final(point.state);
+  if (evidence.life == Life::alive || is_unseen) {
+    living_.push_back(
+        {point.key, point.ordinal, evidence.newest_attempt, gathered.ranks, !is_unseen, gathered.process});
+  }
+  if (is_unseen) {
+    warn_of(
+        {fmt::format("{}: attempt {} was started on host {}, which cannot be seen from here. If it is gone for good, "
+                     "`rouleau retry #{}` starts the point again.",
+                     name_of(point), evidence.newest_attempt, gathered.process.host, point.ordinal)});
+  }
+  if (!verdict.attempt_ended && verdict.evidence.empty()) return;
+
+  record(point, newest ? &*newest : nullptr, gathered, verdict);
+  if (verdict.attempt_ended) note_end(point, recorded, gathered, verdict);
+}
+
+void Manager::record(const PointRow& point, const AttemptRow* newest, const Gathered& gathered,
+                     const Verdict& verdict) {
+  // Samples first: a point that is recorded as done has all of them in the database.
+  if (verdict.attempt_ended) warn_of(ingest_point(store_, directory_, point.key).warnings);
+  Transaction transaction = store_.begin();
+  add_unknown_attempts(point, newest == nullptr ? 0 : newest->number, gathered);
+  if (verdict.attempt_ended) {
+    for (AttemptRow& attempt : store_.attempts(point.key)) {
+      if (attempt.state == AttemptState::ended) continue;
+      std::vector<std::string> warnings;
+      fill_from_files(attempt, run_directory(point.key), warnings);
+      attempt.state = AttemptState::ended;
+      if (!attempt.ended_unix_s) attempt.ended_unix_s = now_unix_s();
+      store_.put_attempt(attempt);
+    }
+    store_.set_retry(point.key, verdict.retries_used, verdict.retry_in_s > 0 ? now_unix_s() + verdict.retry_in_s : 0);
+  }
+  if (!store_.change_state(point.key, point.state, verdict.state, verdict.evidence, gathered.evidence.newest_attempt)) {
+    fail(Exit::failed, "point {} changed its state while it was being judged. Run `rouleau sync` again.", point.key);
+  }
+  transaction.commit();
+  if (verdict.state == State::done) finish(point.key);
+}
+
+void Manager::add_unknown_attempts(const PointRow& point, int recorded_attempt, const Gathered& gathered) {
+  std::vector<std::string> warnings;
+  for (const int number : attempt_numbers(run_directory(point.key))) {
+    if (number <= recorded_attempt) continue;
+    AttemptRow attempt = foreign_attempt(run_directory(point.key), point.key, number, warnings);
+    if (number < gathered.evidence.newest_attempt) attempt.state = AttemptState::ended;
+    store_.put_attempt(attempt);
+  }
+  warn_of(warnings);
+}
+
+void Manager::note_end(const PointRow& point, const Recorded& recorded, const Gathered& gathered,
+                       const Verdict& verdict) {
+  say_(fmt::format("{}: {} ({})", name_of(point), word_of(verdict.state), verdict.evidence));
+  // A stop file that was obeyed would stop the next start too; of a cancelled point it stays until `retry`.
+  if (verdict.state != State::cancelled) remove_stop_file(run_directory(point.key));
+  if (!is_early_failure(recorded, gathered.evidence, verdict)) {
+    breaker_.note_progress();
+    return;
+  }
+  const Evidence& evidence = gathered.evidence;
+  const bool had_tripped = breaker_.has_tripped();
+  breaker_.note_failure(point.key, evidence.exit
+                                       ? fmt::format("exit {}: {}", evidence.exit->code, evidence.exit->reason)
+                                       : "crashed: " + evidence.last_words);
+  if (breaker_.has_tripped() && !had_tripped) {
+    say_(fmt::format(
+        "paused: {} points in a row failed early and alike ({}). Nothing more is started. Correct the cause, then "
+        "`rouleau retry --all-failed` and `rouleau run`.",
+        breaker_.count(), breaker_.reason()));
+  }
+}
+
+void Manager::finish(const std::string& key) {
+  warn_of(ingest_point(store_, directory_, key).warnings);
+  write_result_file(store_, directory_, key);
+}
+
+void Manager::ingest_living() {
+  for (const LivingJob& job : living_) warn_of(ingest_point(store_, directory_, job.key).warnings);
+}
+
+void Manager::take_requests() {
+  for (const Request& request : requests_in(directory_)) {
+    if (const std::optional<PointRow> point = store_.point(request.key)) {
+      try {
+        request.wish == Wish::cancel ? cancel(*point) : retry(*point);
+      } catch (const Error& error) {
+        say_(name_of(*point) + ": " + error.what());
+      }
+    }
+    std::filesystem::remove(request.file);
+  }
+}
+
+void Manager::cancel(const PointRow& point) {
+  if (point.state == State::done || point.state == State::cancelled) return;
+  // The directory first: it is the truth that a rebuilt database comes from.
+  Point file = read_point(run_directory(point.key) / "point.json");
+  file.cancelled = true;
+  write_point(run_directory(point.key) / "point.json", file);
+  make_stop_file(run_directory(point.key));
+  store_.change_state(point.key, point.state, State::cancelled, "cancelled by the user");
+  if (const std::optional<AttemptRow> newest = store_.newest_attempt(point.key);
+      newest && newest->state != AttemptState::ended) {
+    const Gathered gathered = gather(run_directory(point.key), newest->number,
+                                     [&](const ProcessIdentity& process) { return executor_.life(process); });
+    executor_.ask_to_stop(gathered.process, run_directory(point.key), gathered.evidence.newest_attempt);
+  }
+  say_(name_of(point) + ": cancelled");
+}
+
+void Manager::retry(const PointRow& point) {
+  if (point.state == State::done || point.state == State::waiting || point.state == State::stopped) return;
+  const Gathered gathered =
+      gather(run_directory(point.key), 0, [&](const ProcessIdentity& process) { return executor_.life(process); });
+  // A running point is taken over only if nobody can say whether it still runs; its old attempt is fenced off.
+  if (point.state == State::running && gathered.evidence.life != Life::unknown) {
+    say_(name_of(point) + ": is running; there is nothing to retry");
+    return;
+  }
+  Point file = read_point(run_directory(point.key) / "point.json");
+  file.cancelled = false;
+  file.retried_after = gathered.evidence.newest_attempt;
+  write_point(run_directory(point.key) / "point.json", file);
+  if (gathered.evidence.life != Life::alive) remove_stop_file(run_directory(point.key));
+  Transaction transaction = store_.begin();
+  if (point.state == State::running) {
+    for (AttemptRow& attempt : store_.attempts(point.key)) {
+      if (attempt.state == AttemptState::ended) continue;
+      attempt.state = AttemptState::ended;
+      attempt.ended_unix_s = now_unix_s();
+      attempt.reason = "given up by the user: its host cannot be seen";
+      store_.put_attempt(attempt);
+    }
+  }
+  store_.set_retry(point.key, 0, 0);
+  const State next = gathered.evidence.newest_checkpoint >= 0 ? State::stopped : State::waiting;
+  store_.change_state(point.key, point.state, next, "retry asked for by the user");
+  transaction.commit();
+  say_(name_of(point) + ": will be started again");
+}
+
+StateCounts Manager::counts() const {
+  StateCounts counts;
+  for (const PointRow& point : store_.points()) {
+    if (point.in_study) ++counts[point.state];
+  }
+  return counts;
+}
+
+}  // namespace rouleau::campaign

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One pass over a campaign under its lock: what was recorded, what runs, what the directories prove, what to start.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "commands/evidence.hpp"
+#include "commands/request.hpp"
+#include "executor/local.hpp"
+#include "executor/lock.hpp"
+#include "jobs/breaker.hpp"
+#include "jobs/schedule.hpp"
+#include "store/store.hpp"
+#include "study/point.hpp"
+#include "study/study.hpp"
+
+namespace rouleau::campaign {
+
+/// A job that lives, or may live out of our sight.
+struct LivingJob {
+  std::string key;
+  int ordinal = 0;
+  int attempt = 0;
+  int ranks = 1;
+  bool is_seen = true;  ///< false: it runs (or ran) on another host
+  ProcessIdentity process;
+};
+
+/// How many points of the study are in each state.
+using StateCounts = std::map<State, int>;
+
+/// Holds the lock and the database of one campaign. Every public function leaves the campaign such that a kill -9 at
+/// any moment needs no manual step.
+class Manager {
+ public:
+  using Say = std::function<void(const std::string&)>;
+
+  /// Takes the lock and opens the database.   throws Error (not_found, locked, failed)
+  Manager(const std::filesystem::path& directory, const std::string& verb, Say say);
+
+  /// Carries out the requests that `cancel` and `retry` left.
+  void take_requests();
+
+  /// Judges points and records what became of them. `all`: every point, as must be done once; otherwise only those with
+  /// an attempt whose end is not recorded.
+  void reconcile(bool all);
+
+  /// Starts what can be started now.   returns how many
+  int start();
+
+  /// Asks every living job of this host to write a checkpoint and end.
+  void ask_to_stop();
+
+  /// Brings the samples of living points into the database.
+  void ingest_living();
+
+  [[nodiscard]] const std::vector<LivingJob>& living() const { return living_; }
+  /// Whether something lives in our sight, or can be started now or later.
+  [[nodiscard]] bool has_work() const;
+  /// Seconds until the next paused point may start; 0 = none is paused.
+  [[nodiscard]] double next_retry_in_s() const;
+  [[nodiscard]] StateCounts counts() const;  ///< of points that the study names
+  [[nodiscard]] bool is_paused() const { return breaker_.has_tripped(); }
+  [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
+
+ private:
+  void settle(const PointRow& point);
+  void record(const PointRow& point, const AttemptRow* newest, const Gathered& gathered, const Verdict& verdict);
+  void add_unknown_attempts(const PointRow& point, int recorded_attempt, const Gathered& gathered);
+  void note_end(const PointRow& point, const Recorded& recorded, const Gathered& gathered, const Verdict& verdict);
+  void finish(const std::string& key);
+  void warn_of(const std::vector<std::string>& warnings);
+  void cancel(const PointRow& point);
+  void retry(const PointRow& point);
+  [[nodiscard]] bool has_room_for(const PointRow& point);
+  [[nodiscard]] AttemptRow planned_attempt(const PointRow& point, const Cores& cores) const;
+  bool start_point(const PointRow& point, const Cores& cores);
+  void record_failed_launch(const PointRow& point, AttemptRow attempt, const std::string& why);
+  [[nodiscard]] std::vector<Startable> startables() const;
+  [[nodiscard]] Capacity capacity(const Cores& free) const;
+  [[nodiscard]] Cores free_cores_now() const;
+  [[nodiscard]] const LivingJob* living_job(const std::string& key) const;
+  [[nodiscard]] std::filesystem::path run_directory(const std::string& key) const;
+  [[nodiscard]] std::string name_of(const PointRow& point);
+
+  std::filesystem::path directory_;
+  Say say_;
+  CampaignLock lock_;
+  Store store_;
+  Study study_;
+  RetryPolicy policy_;
+  Breaker breaker_;
+  LocalExecutor executor_;
+  std::filesystem::path solver_;  ///< found when the first job is started
+  Cores allowed_;
+  std::vector<LivingJob> living_;
+  std::map<std::string, std::string> names_;
+  std::set<std::string> said_;  ///< warnings are said once
+};
+
+}  // namespace rouleau::campaign

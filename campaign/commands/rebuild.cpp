@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `rouleau rebuild`: the database anew from the run directories, made beside and put in place at once.
+#include "ingest/rebuild.hpp"
+
+#include <ostream>
+
+#include "commands/verbs.hpp"
+#include "commands/version.hpp"
+#include "executor/lock.hpp"
+#include "executor/process.hpp"
+#include "study/whole_file.hpp"
+
+namespace rouleau::campaign {
+
+namespace {
+
+/// When the campaign was made, by the old database if that can still be read. Opening it for writing also rolls back
+/// what a killed writer left, so that no journal of the old file can be taken for one of the new.
+double created_unix_s(const std::filesystem::path& database) {
+  try {
+    return Store::open(database).campaign().created_unix_s;
+  } catch (const Error&) {
+    return now_unix_s();
+  }
+}
+
+/// Keeps the old database as a copy and puts the new one in its place.
+void put_in_place(const std::filesystem::path& made, const std::filesystem::path& database) {
+  const std::filesystem::path kept = database.string() + ".before-rebuild";
+  const std::filesystem::path journal = database.string() + "-journal";
+  if (std::filesystem::exists(database))
+    std::filesystem::copy_file(database, kept, std::filesystem::copy_options::overwrite_existing);
+  // Only a database that could not be opened still has its journal here: the pair is kept together.
+  std::filesystem::remove(kept.string() + "-journal");
+  if (std::filesystem::exists(journal)) std::filesystem::rename(journal, kept.string() + "-journal");
+  std::filesystem::rename(made, database);
+  sync_directory(database.parent_path());
+}
+
+int rebuild(const CommandLine& line) {
+  if (!std::filesystem::exists(line.directory / "study.ini"))
+    fail(Exit::not_found, "{}: is no campaign (it has no study.ini). `rouleau init STUDY {}` makes one.",
+         line.directory.string(), line.directory.string());
+  const std::filesystem::path directory = std::filesystem::canonical(line.directory);
+  const CampaignLock lock(directory, "rebuild");
+  const Study study = read_study(directory / "study.ini");
+  const std::filesystem::path database = directory / "campaign.db";
+  const CampaignRow campaign{study.name, study.text, digest_of(study.text), created_unix_s(database),
+                             version(),  git_hash()};
+
+  const std::filesystem::path aside = directory / "campaign.db.new";
+  for (const char* ending : {"", "-journal"}) std::filesystem::remove(aside.string() + ending);
+  const Rebuilt rebuilt = rebuild_store(directory, aside, campaign, study, [](const AttemptRow& attempt) {
+    return life_of({attempt.host, attempt.boot_id, attempt.pid, attempt.start_ticks});
+  });
+  put_in_place(aside, database);
+
+  for (const std::string& warning : rebuilt.warnings) line.io.err << "warning: " << warning << '\n';
+  if (!line.quiet)
+    line.io.err << fmt::format("{}: {} points, {} attempts, {} samples; the old file is {}\n", database.string(),
+                               rebuilt.points, rebuilt.attempts, rebuilt.samples,
+                               database.filename().string() + ".before-rebuild");
+  return static_cast<int>(rebuilt.warnings.empty() ? Exit::ok : Exit::damaged);
+}
+
+}  // namespace
+
+const Verb rebuild_verb = {
+    "rebuild",
+    "make the database anew from the run directories",
+    "[DIR]",
+    "  rouleau rebuild my-campaign   after campaign.db was lost or damaged; the old file is kept\n",
+    "Points, parameters, attempts, states, samples and results come back as they were. The events that `rouleau why`\n"
+    "prints are reconstructed from the attempts' records; retries and cancels before the last one are lost.\n"
+    "Ends with 7 when a file was damaged and left aside.\n",
+    Words::campaign,
+    false,
+    nullptr,
+    rebuild,
+};
+
+}  // namespace rouleau::campaign

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `rouleau run`: passes over the campaign until nothing is left to do.
+#include <chrono>
+#include <ostream>
+
+#include "commands/outcome.hpp"
+#include "commands/progress_line.hpp"
+#include "commands/verbs.hpp"
+#include "executor/signals.hpp"
+
+namespace rouleau::campaign {
+
+namespace {
+
+constexpr int pass_interval_ms = 250;
+constexpr auto ingest_interval = std::chrono::seconds(30);
+
+/// What the signals have asked for so far.
+enum class Mood { running, stopping, leaving };
+
+class Run {
+ public:
+  explicit Run(const CommandLine& line)
+      : line_(line),
+        progress_(line.io, line.quiet),
+        manager_(line.directory, "run", [this](const std::string& message) { progress_.say(message); }) {}
+
+  int operator()() {
+    manager_.take_requests();
+    manager_.reconcile(true);
+    report_survivors();
+    while (mood_ != Mood::leaving) {
+      if (mood_ == Mood::running) manager_.start();
+      if (mood_ == Mood::running ? !manager_.has_work() : !has_jobs()) break;
+      progress_.show(manager_);
+      heed(signals_.wait(pass_interval_ms));
+      manager_.take_requests();
+      manager_.reconcile(false);
+      ingest_now_and_then();
+    }
+    progress_.clear();
+    return end();
+  }
+
+ private:
+  [[nodiscard]] bool has_jobs() const {
+    for (const LivingJob& job : manager_.living()) {
+      if (job.is_seen) return true;
+    }
+    return false;
+  }
+
+  void report_survivors() {
+    for (const LivingJob& job : manager_.living()) {
+      if (job.is_seen)
+        progress_.say(fmt::format("#{}: attempt {} is still running; taken over", job.ordinal, job.attempt));
+    }
+  }
+
+  void heed(int signal) {
+    if (signal == SIGHUP) {
+      mood_ = Mood::leaving;
+    } else if (signal == SIGINT || signal == SIGTERM) {
+      if (mood_ == Mood::stopping) {
+        mood_ = Mood::leaving;
+        return;
+      }
+      mood_ = Mood::stopping;
+      progress_.say(
+          fmt::format("stopping: {} jobs are asked to write a checkpoint and end. Ctrl-C again leaves without "
+                      "waiting for them.",
+                      manager_.living().size()));
+      manager_.ask_to_stop();
+    }
+  }
+
+  void ingest_now_and_then() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ingest_ < ingest_interval) return;
+    last_ingest_ = now;
+    manager_.ingest_living();
+  }
+
+  int end() {
+    if (mood_ != Mood::running) {
+      if (has_jobs()) {
+        progress_.say(
+            fmt::format("left {} jobs to themselves; `rouleau run` takes them over again", manager_.living().size()));
+      }
+      progress_.say(counts_text(manager_.counts()) + ". `rouleau run` continues.");
+      return static_cast<int>(Exit::interrupted);
+    }
+    progress_.say(counts_text(manager_.counts()));
+    return static_cast<int>(outcome_of(manager_));
+  }
+
+  const CommandLine& line_;
+  ProgressLine progress_;
+  SignalWatch signals_;  // before the manager: no signal is lost while it opens the campaign
+  Manager manager_;
+  Mood mood_ = Mood::running;
+  std::chrono::steady_clock::time_point last_ingest_ = std::chrono::steady_clock::now();
+};
+
+int run(const CommandLine& line) { return Run(line)(); }
+
+}  // namespace
+
+const Verb run_verb = {
+    "run",
+    "run all points to their end; again after any interruption",
+    "[DIR] [options]",
+    "  rouleau run my-campaign        start, continue, retry: whatever is to be done\n"
+    "  rouleau run                    the same in the current directory\n",
+    "Jobs outlive rouleau: after a crash of rouleau or of jobs, `rouleau run` again is the whole recovery.\n"
+    "Ctrl-C (or SIGTERM) once: running jobs write a checkpoint and stop; nothing is lost. Twice: do not wait\n"
+    "for them. SIGHUP: leave at once, jobs go on. The number of jobs at a time, ranks and retries are set in\n"
+    "the study file, section [execution].\n"
+    "Ends with 0 when all points are done (or cancelled), with 4 when some failed.\n",
+    Words::campaign,
+    false,
+    nullptr,
+    run,
+};
+
+}  // namespace rouleau::campaign

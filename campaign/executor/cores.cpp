@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Affinity masks as lists of cores.
+#include "executor/cores.hpp"
+
+#include <sched.h>
+
+#include <algorithm>
+
+namespace rouleau::campaign {
+
+Cores cores_of(pid_t pid) {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  Cores cores;
+  if (::sched_getaffinity(pid, sizeof set, &set) != 0) return cores;
+  for (int core = 0; core < CPU_SETSIZE; ++core) {
+    if (CPU_ISSET(core, &set)) cores.push_back(core);
+  }
+  return cores;
+}
+
+Cores allowed_cores() { return cores_of(0); }
+
+Cores free_cores(const Cores& allowed, const std::vector<Occupant>& occupants) {
+  Cores free = allowed;
+  std::size_t unpinned_ranks = 0;
+  for (const Occupant& occupant : occupants) {
+    if (occupant.cores.size() > static_cast<std::size_t>(occupant.ranks)) {
+      unpinned_ranks += static_cast<std::size_t>(occupant.ranks);
+      continue;
+    }
+    std::erase_if(free, [&](int core) {
+      return std::find(occupant.cores.begin(), occupant.cores.end(), core) != occupant.cores.end();
+    });
+  }
+  free.resize(free.size() - std::min(free.size(), unpinned_ranks));
+  return free;
+}
+
+std::string to_text(const Cores& cores) {
+  std::string text;
+  for (const int core : cores) text += (text.empty() ? "" : ",") + std::to_string(core);
+  return text;
+}
+
+bool pin_to(const Cores& cores) {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  for (const int core : cores) CPU_SET(core, &set);
+  return ::sched_setaffinity(0, sizeof set, &set) == 0;
+}
+
+}  // namespace rouleau::campaign

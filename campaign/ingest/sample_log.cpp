@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lines, checks and columns of samples.csv.
+#include "ingest/sample_log.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "study/whole_file.hpp"
+
+namespace rouleau::campaign {
+namespace {
+
+constexpr std::int64_t tail_bytes = 4096;
+
+/// A damaged line; the message says what is wrong with it.
+struct Damage : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+template <class T>
+using Measure = std::pair<std::string_view, std::optional<T> SampleRow::*>;
+
+constexpr std::array<Measure<double>, 12> real_measures = {{
+    {"d_um", &SampleRow::d_um},
+    {"x_um", &SampleRow::x_um},
+    {"y_um", &SampleRow::y_um},
+    {"z_um", &SampleRow::z_um},
+    {"asphericity", &SampleRow::asphericity},
+    {"volume_ratio", &SampleRow::volume_ratio},
+    {"area_ratio", &SampleRow::area_ratio},
+    {"inclination_deg", &SampleRow::inclination_deg},
+    {"inside_ratio", &SampleRow::inside_ratio},
+    {"mean_velocity_mm_per_s", &SampleRow::mean_velocity_mm_per_s},
+    {"pressure_gradient_Pa_per_m", &SampleRow::pressure_gradient_Pa_per_m},
+    {"velocity_x_mm_per_s", &SampleRow::velocity_x_mm_per_s},
+}};
+constexpr std::array<Measure<std::int64_t>, 2> whole_measures = {{
+    {"inside_nodes", &SampleRow::inside_nodes},
+    {"flips", &SampleRow::flips},
+}};
+
+std::vector<std::string_view> fields_of(std::string_view line) {
+  std::vector<std::string_view> fields;
+  for (std::size_t begin = 0;;) {
+    const std::size_t comma = line.find(',', begin);
+    fields.push_back(line.substr(begin, comma == std::string_view::npos ? comma : comma - begin));
+    if (comma == std::string_view::npos) return fields;
+    begin = comma + 1;
+  }
+}
+
+template <class T>
+T number_of(std::string_view text) {
+  T number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size())
+    throw Damage(fmt::format("`{}` is no number of its column", text));
+  return number;
+}
+
+/// The columns of a log by name. Columns that we do not know are passed by: the contract allows more.
+class Columns {
+ public:
+  explicit Columns(std::string_view header) : names_(fields_of(header)) {
+    if (names_.back() != "check") throw Damage("the last column of the header is not `check`");
+    step_ = require_column("step");
+    time_ = require_column("time_s");
+    cell_ = require_column("cell");
+    require_column("d_um");
+    require_column("asphericity");
+    for (const auto& [name, measure] : real_measures)
+      if (const std::size_t i = find(name); i < names_.size()) reals_.emplace_back(i, measure);
+    for (const auto& [name, measure] : whole_measures)
+      if (const std::size_t i = find(name); i < names_.size()) wholes_.emplace_back(i, measure);
+  }
+
+  [[nodiscard]] SampleRow row_of(std::string_view line) const {
+    const std::size_t comma = line.rfind(',');
+    if (comma == std::string_view::npos || digest_of(line.substr(0, comma)) != line.substr(comma + 1))
+      throw Damage("its check does not match");
+    const std::vector<std::string_view> fields = fields_of(line);
+    if (fields.size() != names_.size())
+      throw Damage(fmt::format("it has {} fields, the header has {}", fields.size(), names_.size()));
+    SampleRow row;
+    row.step = number_of<std::int64_t>(fields[step_]);
+    row.cell = number_of<int>(fields[cell_]);
+    row.time_s = number_of<double>(fields[time_]);
+    if (row.step < 0 || row.cell < 0 || !std::isfinite(row.time_s))
+      throw Damage(fmt::format("step {}, cell {}, time {} s cannot be", row.step, row.cell, row.time_s));
+    for (const auto& [i, measure] : reals_) {
+      const double value = number_of<double>(fields[i]);
+      if (std::isfinite(value))
+        row.*measure = value;
+      else
+        row.finite = false;
+    }
+    for (const auto& [i, measure] : wholes_) row.*measure = number_of<std::int64_t>(fields[i]);
+    return row;
+  }
+
+ private:
+  [[nodiscard]] std::size_t find(std::string_view name) const {
+    return static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) - names_.begin());
+  }
+  std::size_t require_column(std::string_view name) const {
+    const std::size_t i = find(name);
+    if (i == names_.size()) throw Damage(fmt::format("the header has no column `{}`", name));
+    return i;
+  }
+
+  std::vector<std::string_view> names_;
+  std::size_t step_, time_, cell_;
+  std::vector<std::pair<std::size_t, std::optional<double> SampleRow::*>> reals_;
+  std::vector<std::pair<std::size_t, std::optional<std::int64_t> SampleRow::*>> wholes_;
+};
+
+std::string bytes_of(std::ifstream& in, std::int64_t begin, std::int64_t end) {
+  std::string bytes(static_cast<std::size_t>(end - begin), '\0');
+  in.clear();
+  in.seekg(begin);
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(in.gcount()));  // the solver may have cut the log back meanwhile
+  return bytes;
+}
+
+std::string tail_hash_of(std::ifstream& in, std::int64_t offset) {
+  return digest_of(bytes_of(in, std::max<std::int64_t>(0, offset - tail_bytes), offset));
+}
+
+}  // namespace
+
+LogPart read_sample_log(const std::filesystem::path& file, const SampleMark& mark) {
+  LogPart part;
+  part.from_start = true;
+  std::ifstream in(file, std::ios::binary);
+  if (!in) {
+    if (std::filesystem::exists(file))
+      part.warnings.push_back(fmt::format("{}: cannot be read; see its permissions", file.string()));
+    else if (mark.offset > 0)
+      part.warnings.push_back(fmt::format("{}: is gone, and with it its samples", file.string()));
+    return part;
+  }
+  in.seekg(0, std::ios::end);
+  const auto size = static_cast<std::int64_t>(in.tellg());
+  if (mark.offset > 0 && size >= mark.offset && tail_hash_of(in, mark.offset) == mark.tail_hash) {
+    part.from_start = false;
+    part.mark = mark;
+    if (size == mark.offset) return part;
+  }
+
+  std::int64_t offset = 0, line_number = 1;
+  const auto note_damage = [&](const Damage& damage) {
+    const std::string line = part.from_start ? fmt::format("line {}", line_number)
+                                             : fmt::format("line {} behind byte {}", line_number, mark.offset);
+    part.warnings.push_back(
+        fmt::format("{}: {} (byte {}): {}; it and what follows is left aside until the run is resumed", file.string(),
+                    line, offset, damage.what()));
+  };
+  try {
+    std::string header;
+    in.clear();
+    in.seekg(0);
+    if (!std::getline(in, header) || in.eof()) {
+      part.unfinished_bytes = size;
+      return part;
+    }
+    const Columns columns(header);
+    offset = part.from_start ? static_cast<std::int64_t>(header.size()) + 1 : mark.offset;
+    line_number = part.from_start ? 2 : 1;
+    const std::string bytes = bytes_of(in, offset, std::max(size, offset));
+    std::string_view rest = bytes;
+    for (std::size_t end; (end = rest.find('\n')) != std::string_view::npos; ++line_number) {
+      const SampleRow row = columns.row_of(rest.substr(0, end));
+      if (!part.rows.empty() &&
+          std::pair(row.step, row.cell) <= std::pair(part.rows.back().step, part.rows.back().cell))
+        throw Damage(fmt::format("step {}, cell {} comes behind step {}, cell {}", row.step, row.cell,
+                                 part.rows.back().step, part.rows.back().cell));
+      part.rows.push_back(row);
+      rest.remove_prefix(end + 1);
+      offset += static_cast<std::int64_t>(end) + 1;
+    }
+    part.unfinished_bytes = static_cast<std::int64_t>(rest.size());
+  } catch (const Damage& damage) {
+    note_damage(damage);
+  }
+  if (offset > 0) part.mark = {offset, tail_hash_of(in, offset)};
+  return part;
+}
+
+}  // namespace rouleau::campaign

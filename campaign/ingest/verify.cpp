@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The comparisons, one function a file of the run directory.
+#include "ingest/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ingest/ingest.hpp"
+#include "ingest/result_file.hpp"
+#include "ingest/run_files.hpp"
+#include "ingest/sample_log.hpp"
+#include "report/analysis.hpp"
+#include "study/error.hpp"
+#include "study/whole_file.hpp"
+
+namespace rouleau::campaign {
+namespace {
+
+/// What the database says of a point, all of one moment: `run` may be writing meanwhile. Files are read after it, so
+/// they can only be newer.
+struct Stored {
+  Stored(const Store& reader, const std::string& key) {
+    const Snapshot snapshot(reader.database());
+    const std::optional<PointRow> row = reader.point(key);
+    if (!row) fail(Exit::not_found, "{}: has no point {}", reader.database().file().string(), key);
+    point = *row;
+    parameters = reader.parameters(key);
+    samples = reader.samples(key);
+    mark = reader.sample_mark(key);
+    results = reader.results(key);
+    analysis = stored_analysis(reader);
+    attempts = reader.attempts(key);
+    result_text = result_json(reader, key);
+  }
+
+  PointRow point;
+  std::vector<ParameterRow> parameters;
+  std::vector<SampleRow> samples;
+  SampleMark mark;
+  std::vector<ResultRow> results;
+  Analysis analysis;
+  std::vector<AttemptRow> attempts;
+  std::string result_text;
+};
+
+/// Collects the findings of one point.
+class PointCheck {
+ public:
+  PointCheck(const Store& reader, const std::filesystem::path& campaign_directory, const std::string& key)
+      : campaign_directory_(campaign_directory),
+        database_file_(reader.database().file()),
+        stored_(reader, key),
+        directory_(point_directory(campaign_directory, key)) {}
+
+  std::vector<Finding> findings() {
+    point_file();
+    samples();
+    results();
+    attempts();
+    result_file();
+    return std::move(findings_);
+  }
+
+ private:
+  void damage(const std::filesystem::path& file, const std::string& problem) { add(file, true, problem); }
+  void remark(const std::filesystem::path& file, const std::string& problem) { add(file, false, problem); }
+  void add(const std::filesystem::path& file, bool is_damage, const std::string& problem) {
+    findings_.push_back({stored_.point.key, file.lexically_relative(campaign_directory_).string(), is_damage, problem});
+  }
+
+  void point_file() {
+    const std::filesystem::path file = directory_ / "point.json";
+    try {
+      const Point point = read_point(file);
+      if (point.key != stored_.point.key || point.ordinal != stored_.point.ordinal ||
+          parameter_rows_of(point) != stored_.parameters)
+        damage(file, "it describes another point than the database; `rouleau init STUDY DIR` writes both anew");
+    } catch (const Error& error) {
+      damage(file, error.what());
+    }
+  }
+
+  void samples() {
+    const std::filesystem::path file = directory_ / "samples.csv";
+    const LogPart log = read_sample_log(file, {});
+    for (const std::string& warning : log.warnings) damage(file, warning);
+    if (log.unfinished_bytes > 0 && stored_.point.state == State::done)
+      damage(file, fmt::format("its last {} bytes are no whole line, though the point is done", log.unfinished_bytes));
+
+    const std::vector<SampleRow>& stored = stored_.samples;
+    const auto [in_log, in_store] = std::mismatch(log.rows.begin(), log.rows.end(), stored.begin(), stored.end());
+    if (in_store == stored.end()) {
+      if (in_log != log.rows.end())
+        remark(file, fmt::format("{} samples are not in the database yet; `rouleau sync` reads them",
+                                 log.rows.end() - in_log));
+    } else if (in_log == log.rows.end() && !log.warnings.empty()) {
+      return;  // named above; what the database still holds behind the damage is not at fault
+    } else if (read_sample_log(file, stored_.mark).from_start) {
+      remark(file, "it was cut back or has changed since it was read; `rouleau sync` reads it anew");
+    } else {
+      damage(file,
+             fmt::format("the database differs from it at step {}, cell {}; `rouleau rebuild` makes the database anew",
+                         in_store->step, in_store->cell));
+    }
+  }
+
+  void results() {
+    const std::string& key = stored_.point.key;
+    if (analyse(key, stored_.samples, stored_.analysis) != stored_.results)
+      damage(database_file_,
+             fmt::format("the results of point {} are not those of its samples; `rouleau rebuild` makes "
+                         "the database anew",
+                         key));
+  }
+
+  void attempts() {
+    const std::vector<int> folders = attempt_numbers(directory_);
+    const std::vector<AttemptRow>& rows = stored_.attempts;
+    for (const int number : folders)
+      if (std::none_of(rows.begin(), rows.end(), [&](const AttemptRow& row) { return row.number == number; }))
+        remark(directory_ / "attempts" / std::to_string(number),
+               "the database does not know this attempt; `rouleau sync` looks at it");
+    for (const AttemptRow& row : rows) {
+      const std::filesystem::path folder = directory_ / "attempts" / std::to_string(row.number);
+      if (std::find(folders.begin(), folders.end(), row.number) == folders.end()) {
+        if (row.state != AttemptState::planned) damage(folder, "it is gone, the database knows it");
+        continue;
+      }
+      std::vector<std::string> warnings;
+      AttemptRow expected = row;
+      fill_from_files(expected, directory_, warnings);
+      for (const std::string& warning : warnings) damage(folder, warning);
+      if (expected == row) continue;
+      if (row.state == AttemptState::ended && row.exit_code)
+        damage(folder, "its files say something else than the database; `rouleau rebuild` makes the database anew");
+      else
+        remark(folder, "its files are not in the database yet; `rouleau sync` reads them");
+    }
+  }
+
+  void result_file() {
+    if (stored_.point.state != State::done) return;
+    const std::filesystem::path file = directory_ / "result.json";
+    const std::optional<std::string> text = read_whole_file(file);
+    if (!text)
+      remark(file, "it is missing, though the point is done; `rouleau sync` writes it");
+    else if (*text != stored_.result_text)
+      damage(file, "it is not what the database says; remove it, and `rouleau sync` writes it anew");
+  }
+
+  const std::filesystem::path& campaign_directory_;
+  std::filesystem::path database_file_;
+  Stored stored_;
+  std::filesystem::path directory_;
+  std::vector<Finding> findings_;
+};
+
+}  // namespace
+
+std::vector<Finding> verify_database(const Store& reader, const std::filesystem::path& campaign_directory) {
+  std::vector<Finding> findings;
+  const std::string file = reader.database().file().filename().string();
+  for (const std::vector<Value>& row : reader.database().select("PRAGMA integrity_check").rows)
+    if (const std::string text = std::get<std::string>(row[0]); text != "ok")
+      findings.push_back({"", file, true, text + "; `rouleau rebuild` makes it anew"});
+  for (const std::vector<Value>& row : reader.database().select("PRAGMA foreign_key_check").rows)
+    findings.push_back({"", file, true,
+                        fmt::format("a row of `{}` belongs to no point; `rouleau rebuild` makes it anew",
+                                    std::get<std::string>(row[0]))});
+  std::error_code error;
+  for (std::filesystem::directory_iterator it(campaign_directory / "points", error), end; !error && it != end;
+       it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    if (it->is_directory() && !reader.point(name))
+      findings.push_back(
+          {name, "points/" + name, false, "the database does not know it; `rouleau rebuild` takes it in"});
+  }
+  if (error) findings.push_back({"", "points", true, "cannot be read: " + error.message()});
+  std::sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) { return a.file < b.file; });
+  return findings;
+}
+
+std::vector<Finding> verify_point(const Store& reader, const std::filesystem::path& campaign_directory,
+                                  const std::string& key) {
+  return PointCheck(reader, campaign_directory, key).findings();
+}
+
+}  // namespace rouleau::campaign

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Counting like failures.
+#include "jobs/breaker.hpp"
+
+#include <cctype>
+
+namespace rouleau::campaign {
+
+namespace {
+
+std::string without_numbers(const std::string& text) {
+  std::string shape;
+  for (const unsigned char c : text) {
+    if (std::isdigit(c) != 0) {
+      if (shape.empty() || shape.back() != '0') shape += '0';
+    } else {
+      shape += static_cast<char>(c);
+    }
+  }
+  return shape;
+}
+
+}  // namespace
+
+void Breaker::note_failure(const std::string& point, const std::string& reason) {
+  const std::string shape = without_numbers(reason);
+  if (shape != shape_) points_.clear();
+  shape_ = shape;
+  reason_ = reason;
+  points_.insert(point);
+}
+
+void Breaker::note_progress() {
+  points_.clear();
+  shape_.clear();
+}
+
+}  // namespace rouleau::campaign

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Creation, check and migration of the schema.
+#include "store/schema.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "store/tables.hpp"
+#include "study/error.hpp"
+
+namespace rouleau::campaign {
+namespace {
+
+void sync_to_disk(const std::filesystem::path& path) {
+  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool synced = fd >= 0 && ::fsync(fd) == 0;
+  if (fd >= 0) ::close(fd);
+  if (!synced) fail(Exit::failed, "{}: cannot be synced to the disk; see that the disk is writable", path.string());
+}
+
+/// A complete copy of the database in a file of its own, whole or absent.
+void back_up(const Database& database, const std::filesystem::path& copy) {
+  const std::filesystem::path aside = copy.string() + ".tmp";
+  std::filesystem::remove(aside);
+  Statement statement = database.prepare("VACUUM INTO ?");
+  statement.bind(aside.string()).run();
+  sync_to_disk(aside);
+  std::filesystem::rename(aside, copy);
+  sync_to_disk(std::filesystem::absolute(copy).parent_path());
+}
+
+}  // namespace
+
+void create_schema(const Database& database) {
+  Transaction transaction(database);
+  database.execute(
+      fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};", application_id, schema_version));
+  database.execute(table_statements);
+  database.execute(view_statements);
+  transaction.commit();
+}
+
+void check_schema(const Database& database, int newest) {
+  const std::string name = database.file().string();
+  if (database.select_integer("PRAGMA application_id") != application_id)
+    fail(Exit::failed, "{}: not a campaign database (its application_id is not Rouleau's); name another directory",
+         name);
+  const std::int64_t version = database.select_integer("PRAGMA user_version");
+  if (version > newest)
+    fail(
+        Exit::failed,
+        "{}: written by a newer rouleau (schema {}, this program reads up to {}); use that rouleau, or make a database "
+        "for this one with `rouleau rebuild`",
+        name, version, newest);
+}
+
+void migrate(const Database& database, std::span<const Migration> steps, int newest) {
+  const auto version_of = [&] { return static_cast<int>(database.select_integer("PRAGMA user_version")); };
+  const int found = version_of();
+  if (found == newest) return;
+  check_schema(database, newest);
+  back_up(database, fmt::format("{}.v{}.backup", database.file().string(), found));
+
+  Transaction transaction(database);
+  for (int version = version_of(); version < newest; ++version) {
+    const Migration* step = nullptr;
+    for (const Migration& candidate : steps)
+      if (candidate.from == version) step = &candidate;
+    if (step == nullptr)
+      fail(Exit::failed, "{}: schema {} cannot be brought to {}; make the database anew with `rouleau rebuild`",
+           database.file().string(), version, newest);
+    database.execute(step->sql);
+    database.execute(fmt::format("PRAGMA user_version = {};", version + 1));
+  }
+  transaction.commit();
+}
+
+}  // namespace rouleau::campaign

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Write aside, sync, rename, sync the directory.
+#include "study/whole_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+#include <xxhash.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "study/error.hpp"
+
+namespace rouleau::campaign {
+
+namespace {
+
+/// A file descriptor that closes itself.
+class Descriptor {
+ public:
+  Descriptor(const std::filesystem::path& file, int flags) : fd_(::open(file.c_str(), flags | O_CLOEXEC, 0666)) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  [[nodiscard]] int fd() const { return fd_; }
+
+ private:
+  int fd_;
+};
+
+[[noreturn]] void fail_with_errno(const std::filesystem::path& file, const char* what) {
+  fail(Exit::failed, "{}: cannot {}: {}. Check the disk's free space and the permissions.", file.string(), what,
+       std::strerror(errno));
+}
+
+}  // namespace
+
+void write_whole_file(const std::filesystem::path& file, std::string_view text) {
+  const std::filesystem::path aside = file.string() + ".tmp";
+  {
+    const Descriptor out(aside, O_WRONLY | O_CREAT | O_TRUNC);
+    if (out.fd() < 0) fail_with_errno(aside, "create");
+    while (!text.empty()) {
+      const ssize_t written = ::write(out.fd(), text.data(), text.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) fail_with_errno(aside, "write");
+      text.remove_prefix(static_cast<std::size_t>(written));
+    }
+    if (::fsync(out.fd()) != 0) fail_with_errno(aside, "sync");
+  }
+  if (::rename(aside.c_str(), file.c_str()) != 0) fail_with_errno(file, "rename into place");
+  sync_directory(file.has_parent_path() ? file.parent_path() : ".");
+}
+
+std::optional<std::string> read_whole_file(const std::filesystem::path& file) {
+  const Descriptor in(file, O_RDONLY);
+  if (in.fd() < 0) {
+    if (errno == ENOENT || errno == ENOTDIR) return std::nullopt;
+    fail_with_errno(file, "open");
+  }
+  std::string text;
+  char buffer[65536];
+  for (;;) {
+    const ssize_t got = ::read(in.fd(), buffer, sizeof buffer);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail_with_errno(file, "read");
+    if (got == 0) return text;
+    text.append(buffer, static_cast<std::size_t>(got));
+  }
+}
+
+void sync_directory(const std::filesystem::path& directory) {
+  const Descriptor folder(directory, O_RDONLY | O_DIRECTORY);
+  if (folder.fd() < 0) fail_with_errno(directory, "open");
+  // Some network file systems cannot sync a directory and say EINVAL: nothing more can be done there.
+  if (::fsync(folder.fd()) != 0 && errno != EINVAL) fail_with_errno(directory, "sync");
+}
+
+std::string digest_of(std::string_view bytes) { return fmt::format("{:016x}", XXH64(bytes.data(), bytes.size(), 0)); }
+
+}  // namespace rouleau::campaign

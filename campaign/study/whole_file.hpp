@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Small files that exist whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rouleau::campaign {
+
+/// Writes `text` aside, syncs, renames over `file`, syncs the directory.   throws Error (failed) naming the file and
+/// the reason
+void write_whole_file(const std::filesystem::path& file, std::string_view text);
+
+/// The whole content, or nothing if there is no such file.   throws Error (failed) if it exists but cannot be read
+[[nodiscard]] std::optional<std::string> read_whole_file(const std::filesystem::path& file);
+
+/// Syncs a directory, so that files made in it survive a power failure.
+void sync_directory(const std::filesystem::path& directory);
+
+/// XXH64 (seed 0) as 16 lower-case hex digits.
+[[nodiscard]] std::string digest_of(std::string_view bytes);
+
+}  // namespace rouleau::campaign

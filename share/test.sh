@@ -1,0 +1,7 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Installs what is missing, builds everything, runs every test through ctest. Further arguments go to ctest (-R Skalak).
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+build all
+cd build
+exec ctest --output-on-failure --parallel "$(nproc)" "$@"

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/attempt_run.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "run/conversion_table.hpp"
+#include "run/metadata.hpp"
+#include "run/run_loop.hpp"
+#include "run/version.hpp"
+#include "storage/resume.hpp"
+
+namespace rouleau {
+
+namespace {
+
+/// Holds what an exit record needs, and writes it however the attempt ends.
+class AttemptRun {
+ public:
+  AttemptRun(const RunOptions& options, const Communicator& comm, FileSystem& files)
+      : options_(options), comm_(comm), files_(files), directory_(options.run_file.parent_path()), begun_s_(monotonic_s()) {
+    if (directory_.empty()) directory_ = ".";
+    record_.ranks = comm.size();
+    record_.version = version();
+    record_.git = git_hash();
+  }
+
+  Exit run() {
+    Outcome outcome;
+    try {
+      outcome = run_to_the_end();
+    } catch (const Error& error) {
+      leave_record({error.code(), error.what()});
+      throw;
+    }
+    leave_record(outcome);
+    if (comm_.is_root() && !options_.quiet) fmt::print(stderr, "{}\n", summary(outcome));
+    return outcome.code;
+  }
+
+ private:
+  Outcome run_to_the_end() {
+    comm_.all_agree([&] { setup_.emplace(set_up(options_.run_file, files_)); });
+    const Setup& setup = *setup_;
+    record_.end_step = setup.lattice.steps;
+    comm_.on_root([&] { claim(); });
+    if (comm_.is_root() && !options_.quiet) print_set_up();
+
+    const Decomposition decomposition(setup.lattice.lattice, comm_, options_.ranks);
+    std::unique_ptr<Simulation> simulation;
+    comm_.all_agree([&] { simulation = make_simulation(setup, comm_, decomposition); });
+    if (comm_.is_root())
+      log_.emplace(files_, directory_ / "samples.csv", sample_columns(), [this] { attempt_->fence(); });
+
+    const std::optional<std::int64_t> resumed_at = resume(*simulation);
+    if (!resumed_at) {
+      simulation->start();
+      comm_.on_root([&] { log_->start(); });
+    }
+    RunLoop loop({setup, comm_, *simulation, files_, directory_, attempt_ ? &*attempt_ : nullptr,
+                  log_ ? &*log_ : nullptr, simulation->mesh_digest(), options_.deadline_s, options_.quiet},
+                 resumed_at);
+    record_.start_step = loop.start_step();
+    try {
+      const Outcome outcome = loop.run();
+      note_end(*simulation, loop);
+      return outcome;
+    } catch (const Error&) {
+      note_end(*simulation, loop);
+      throw;
+    }
+  }
+
+  void claim() {
+    attempt_.emplace(options_.attempt ? Attempt::join(files_, directory_, *options_.attempt, options_.token)
+                                      : Attempt::claim(files_, directory_));
+    const ProcessIdentity process = this_process(files_);
+    record_.host = process.host;
+    write_started(files_, *attempt_, process, comm_.size());
+  }
+
+  /// Loads the newest checkpoint that verifies; says which were rejected and why. All of them: Error(bad_input).
+  std::optional<std::int64_t> resume(Simulation& simulation) {
+    Expected expected;
+    expected.parameters = recorded_parameters(setup_->run);
+    expected.identity = setup_->run.identity;
+    expected.obstacle = [&](const CheckpointMetadata& m) -> std::optional<std::string> {
+      if (m.mesh_digest != simulation.mesh_digest()) return "its mesh differs from the run file's";
+      return log_->obstacle(m.samples);
+    };
+    PersistentState state = simulation.persistent();
+    const Resumed resumed = load_newest(files_, directory_ / "checkpoints", comm_, expected, state);
+    record_.rejected_checkpoints = resumed.rejected;
+    if (comm_.is_root())
+      for (const auto& [file, why] : resumed.rejected)
+        fmt::print(stderr, "checkpoint {} is rejected: {}\n", file, why);
+    if (!resumed.metadata) {
+      if (resumed.rejected.empty()) return std::nullopt;
+      fail(Exit::bad_input,
+           "{}: none of its {} checkpoints can be continued (see above). Move them and samples.csv away to start anew at step 0.",
+           (directory_ / "checkpoints").string(), resumed.rejected.size());
+    }
+    simulation.resume();
+    comm_.on_root([&] { log_->cut_back(resumed.metadata->samples); });
+    record_.resumed_from = "checkpoints/" + resumed.file.filename().string();
+    if (comm_.is_root() && !options_.quiet)
+      fmt::print(stderr, "resumed from {} at step {}\n", record_.resumed_from, resumed.metadata->step);
+    return resumed.metadata->step;
+  }
+
+  void print_set_up() const {
+    fmt::print("{}", conversion_table(setup_->run, setup_->lattice, setup_->units, setup_->cells.meshes));
+    for (const auto& warning : setup_->warnings) fmt::print("warning: {}\n", warning);
+    std::fflush(stdout);
+  }
+
+  void note_end(const Simulation& simulation, const RunLoop& loop) {
+    record_.step = simulation.steps_done();
+    record_.mlups = mlups(*setup_, loop.steps_per_s());
+  }
+
+  void leave_record(const Outcome& outcome) {
+    record_.code = outcome.code;
+    record_.reason = outcome.reason;
+    record_.wall_s = monotonic_s() - begun_s_;
+    record_.core_s = record_.wall_s * record_.ranks;
+    record_.finished_unix_s = unix_s();
+    if (!comm_.is_root()) return;
+    std::filesystem::path where;
+    if (attempt_)
+      where = attempt_->directory();
+    else if (options_.attempt)
+      where = directory_ / "attempts" / std::to_string(*options_.attempt);
+    else
+      return;
+    try {
+      if (record_.host.empty()) record_.host = this_process(files_).host;
+      write_exit_record(files_, where, record_);
+    } catch (const Error& error) {  // the code still says it; the reason for the end must not be lost over this
+      fmt::print(stderr, "rouleau-solver: {}\n", error.what());
+    }
+  }
+
+  [[nodiscard]] std::string summary(const Outcome& outcome) const {
+    return fmt::format("{} at step {} of {} after {:.1f} s ({:.1f} MLUPS)", outcome.reason, record_.step, record_.end_step,
+                       record_.wall_s, record_.mlups);
+  }
+
+  const RunOptions& options_;
+  const Communicator& comm_;
+  FileSystem& files_;
+  std::filesystem::path directory_;
+  double begun_s_;
+  std::optional<Setup> setup_;
+  std::optional<Attempt> attempt_;
+  std::optional<SampleLog> log_;
+  ExitRecord record_;
+};
+
+}  // namespace
+
+Exit run_attempt(const RunOptions& options, const Communicator& comm, FileSystem& files) {
+  return AttemptRun(options, comm, files).run();
+}
+
+}  // namespace rouleau

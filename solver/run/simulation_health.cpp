@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether the state still means something: what would otherwise run on for weeks as nonsense ends the run here.
+#include <cmath>
+
+#include "base/error.hpp"
+#include "fluid/flow_rate.hpp"
+#include "membrane/measures.hpp"
+#include "run/coupled_simulation.hpp"
+
+namespace rouleau {
+
+template <class Real>
+void CoupledSimulation<Real>::check_health() {
+  comm_.all_agree([&] { check_flow(); });
+  comm_.all_agree([&] { check_cells(); });
+
+  if (!tracker_) return;
+  const BoundsParameters& bounds = setup_.run.parameters.bounds;
+  double volume_sum = 0;
+  for (std::size_t c = 0; c < cells_.ranges.size(); ++c) volume_sum += volume(cells_, c);
+  const double ratio = static_cast<double>(inside_nodes()) / volume_sum;
+  if (!(ratio >= bounds.inside_ratio_min && ratio <= bounds.inside_ratio_max))
+    fail(Exit::physics,
+         "the flagged nodes fill {:.3f} of the cells' volume, outside of [{}, {}] (bounds.inside_ratio_min/max). "
+         "Try a finer mesh (cell.subdivisions) or a smaller correction_interval",
+         ratio, bounds.inside_ratio_min, bounds.inside_ratio_max);
+}
+
+template <class Real>
+void CoupledSimulation<Real>::check_flow() const {
+  const double max_mach = setup_.run.parameters.bounds.max_mach;
+  const double limit = max_mach / std::sqrt(3.0);
+  const SpeedCheck speed = check_speed(fluid_, limit);
+  if (!speed.first_bad) return;
+  const Int3& n = *speed.first_bad;
+  fail(Exit::physics,
+       "at node ({}, {}, {}) the velocity is not finite or above Mach {} (bounds.max_mach). Try a smaller time_step_us", n[0],
+       n[1], n[2], max_mach);
+}
+
+template <class Real>
+void CoupledSimulation<Real>::check_cells() {
+  if (const auto fault = mesh_health_.find_fault(cells_))
+    fail(Exit::physics, "cell {}, triangle {}: {}. Try a smaller time_step_us, the 4-point kernel, or a lower area_ratio",
+         fault->cell, fault->triangle, fault->what);
+  const BoundsParameters& bounds = setup_.run.parameters.bounds;
+  for (std::size_t c = 0; c < cells_.ranges.size(); ++c) {
+    const double ratio = area(cells_, c) / cells_.ranges[c].area_0;
+    if (!(ratio >= bounds.area_ratio_min && ratio <= bounds.area_ratio_max))
+      fail(Exit::physics,
+           "cell {}: its area is {:.4f} of the area at rest, outside of [{}, {}] (bounds.area_ratio_min/max). "
+           "Try a smaller time_step_us or the 4-point kernel",
+           c, ratio, bounds.area_ratio_min, bounds.area_ratio_max);
+  }
+}
+
+template void CoupledSimulation<float>::check_health();
+template void CoupledSimulation<double>::check_health();
+template void CoupledSimulation<float>::check_flow() const;
+template void CoupledSimulation<double>::check_flow() const;
+template void CoupledSimulation<float>::check_cells();
+template void CoupledSimulation<double>::check_cells();
+
+}  // namespace rouleau

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writing, cutting back and scanning the sample log.
+#include "storage/sample_log.hpp"
+
+#include <xxhash.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "base/error.hpp"
+#include "storage/checksum.hpp"
+
+namespace rouleau {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t check_digits = 16;
+
+std::string line_check(std::string_view line) { return hex(XXH64(line.data(), line.size(), 0)); }
+
+std::string with_check(const std::string& line) { return line + "," + line_check(line) + "\n"; }
+
+std::string header_line(const std::vector<std::string>& columns) {
+  std::string line;
+  for (const std::string& column : columns) line += column + ",";
+  return line + "check\n";
+}
+
+std::vector<std::string_view> split(std::string_view line) {
+  std::vector<std::string_view> fields;
+  for (std::size_t begin = 0;;) {
+    const std::size_t comma = line.find(',', begin);
+    fields.push_back(line.substr(begin, comma - begin));
+    if (comma == std::string_view::npos) return fields;
+    begin = comma + 1;
+  }
+}
+
+void append_number(std::string& line, const SampleValue& value) {
+  // Room for the longest shortest-form double, "-2.2250738585072014e-308".
+  char text[32];
+  const auto result = std::visit([&](auto number) { return std::to_chars(text, text + sizeof text, number); }, value);
+  line.append(text, result.ptr);
+}
+
+bool sound_line(std::string_view line, std::size_t fields) {
+  if (line.size() < check_digits + 1 || line[line.size() - check_digits - 1] != ',') return false;
+  const std::string_view content = line.substr(0, line.size() - check_digits - 1);
+  return line.substr(line.size() - check_digits) == line_check(content) &&
+         static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1 == fields;
+}
+
+}  // namespace
+
+/// A log under way: its file, its length, the hash of all its bytes and the last sample in it.
+struct SampleLog::Open {
+  explicit Open(File log) : file(std::move(log)), hash(XXH64_createState(), XXH64_freeState) {
+    XXH64_reset(hash.get(), 0);
+  }
+  void count(std::string_view bytes) {
+    length += bytes.size();
+    XXH64_update(hash.get(), bytes.data(), bytes.size());
+  }
+  [[nodiscard]] std::string digest() const { return hex(XXH64_digest(hash.get())); }
+
+  File file;
+  std::uint64_t length = 0;
+  std::unique_ptr<XXH64_state_t, decltype(&XXH64_freeState)> hash;
+  std::int64_t step = -1, cell = -1;
+};
+
+SampleLog::SampleLog(FileSystem& files, fs::path file, std::vector<std::string> columns, std::function<void()> fence)
+    : files_(&files), path_(std::move(file)), columns_(std::move(columns)), fence_(std::move(fence)) {
+  const auto cell = std::find(columns_.begin(), columns_.end(), "cell");
+  require(!columns_.empty() && columns_[0] == "step" && cell != columns_.end(),
+          "SampleLog: the columns must begin with `step` and contain `cell`");
+  cell_column_ = static_cast<std::size_t>(cell - columns_.begin());
+}
+
+SampleLog::~SampleLog() = default;
+SampleLog::SampleLog(SampleLog&&) noexcept = default;
+SampleLog& SampleLog::operator=(SampleLog&&) noexcept = default;
+
+void SampleLog::start() {
+  fence_();
+  const std::string header = header_line(columns_);
+  write_aside(*files_, path_, header);
+  open(header.size());
+}
+
+std::optional<std::string> SampleLog::obstacle(const SampleLogPosition& position) const {
+  std::string content;
+  if (!read_file_if_there(*files_, path_, content)) return fmt::format("{} is missing", path_.string());
+  if (content.size() < position.bytes) {
+    return fmt::format("{} has {} bytes, the checkpoint had counted {}", path_.string(), content.size(),
+                       position.bytes);
+  }
+  if (hex(XXH64(content.data(), position.bytes, 0)) != position.hash) {
+    return fmt::format("the first {} bytes of {} are not those that the checkpoint had counted", position.bytes,
+                       path_.string());
+  }
+  if (!std::string_view(content).substr(0, position.bytes).starts_with(header_line(columns_))) {
+    return fmt::format("{} has other columns than this solver writes", path_.string());
+  }
+  return {};
+}
+
+void SampleLog::cut_back(const SampleLogPosition& position) {
+  fence_();
+  if (const auto why = obstacle(position)) {
+    fail(Exit::bad_input, "{}; the samples cannot be continued exactly from this checkpoint", *why);
+  }
+  open(position.bytes);
+}
+
+void SampleLog::open(std::uint64_t length) {
+  const std::string content = read_file(*files_, path_).substr(0, length);
+  open_ = std::make_unique<Open>(File::append(*files_, path_));
+  open_->file.truncate(length);
+  open_->file.sync();
+  open_->count(content);
+  const std::size_t last = content.rfind('\n', content.size() - 2);
+  if (last == std::string::npos) return;
+  const std::vector<std::string_view> fields = split(std::string_view(content).substr(last + 1));
+  const auto number = [&](std::size_t column, std::int64_t& value) {
+    const std::string_view field = column < fields.size() ? fields[column] : std::string_view();
+    const auto result = std::from_chars(field.data(), field.data() + field.size(), value);
+    if (result.ec != std::errc{}) fail(Exit::bad_input, "{}: its last line has no step and cell", path_.string());
+  };
+  number(0, open_->step);
+  number(cell_column_, open_->cell);
+}
+
+void SampleLog::append(std::span<const SampleRow> rows) {
+  require(open_ != nullptr, "SampleLog: append before start or cut_back");
+  std::string batch;
+  std::int64_t step = open_->step;
+  std::int64_t cell = open_->cell;
+  for (const SampleRow& row : rows) {
+    require(row.size() == columns_.size(), "SampleLog: a row does not have one value a column");
+    const auto* row_step = std::get_if<std::int64_t>(&row[0]);
+    const auto* row_cell = std::get_if<std::int64_t>(&row[cell_column_]);
+    require(row_step != nullptr && row_cell != nullptr, "SampleLog: step and cell must be integers");
+    require(std::pair(*row_step, *row_cell) > std::pair(step, cell), "SampleLog: (step, cell) must increase");
+    step = *row_step;
+    cell = *row_cell;
+    for (std::size_t column = 0; column < row.size(); ++column) {
+      const auto* number = std::get_if<double>(&row[column]);
+      if (number == nullptr || std::isfinite(*number)) continue;
+      fail(Exit::physics,
+           "step {}: sample `{}` of cell {} is not finite ({}); it was not written. Try a smaller time step.", step,
+           columns_[column], cell, *number);
+    }
+    batch += format_sample(row);
+  }
+  fence_();
+  const std::uint64_t found = file_size(*files_, path_);
+  if (found != open_->length) {
+    fail(Exit::io,
+         "{}: has {} bytes, this run left {}; another program writes to it. Stop that, then start the run again.",
+         path_.string(), found, open_->length);
+  }
+  open_->file.write(batch);
+  open_->count(batch);
+  open_->step = step;
+  open_->cell = cell;
+}
+
+SampleLogPosition SampleLog::sync() {
+  require(open_ != nullptr, "SampleLog: sync before start or cut_back");
+  open_->file.sync();
+  return {open_->length, open_->digest()};
+}
+
+std::string format_sample(const SampleRow& row) {
+  std::string line;
+  for (const SampleValue& value : row) {
+    if (!line.empty()) line += ',';
+    append_number(line, value);
+  }
+  return with_check(line);
+}
+
+SampleScan scan_samples(FileSystem& files, const fs::path& path) {
+  const std::string content = read_file(files, path);
+  SampleScan scan;
+  const std::size_t header_end = content.find('\n');
+  const std::string_view header = std::string_view(content).substr(0, header_end);
+  if (header_end == std::string::npos || !header.ends_with(",check")) {
+    scan.why_ended = "the header is incomplete";
+    return scan;
+  }
+  const std::vector<std::string_view> names = split(header);
+  scan.columns.assign(names.begin(), names.end() - 1);
+  scan.valid_bytes = header_end + 1;
+  while (scan.valid_bytes < content.size()) {
+    const std::size_t end = content.find('\n', scan.valid_bytes);
+    if (end == std::string::npos) {
+      scan.why_ended = fmt::format("line {} has no newline", scan.rows + 2);
+      return scan;
+    }
+    const std::string_view line = std::string_view(content).substr(scan.valid_bytes, end - scan.valid_bytes);
+    if (!sound_line(line, names.size())) {
+      scan.why_ended = fmt::format("line {} does not match its check", scan.rows + 2);
+      return scan;
+    }
+    scan.valid_bytes = end + 1;
+    ++scan.rows;
+  }
+  return scan;
+}
+
+}  // namespace rouleau
