@@ -171,9 +171,8 @@ Table table_of(const Plan& plan, Totals& totals) {
     const PlannedPoint point = planned(item);
     const double cost = core_hours(point, plan.cost.value_or(0));
     const std::int64_t steps = item.point.facts.steps;
-    table.rows.push_back({"#" + std::to_string(item.point.ordinal), item.point.label(),
-                          std::string(word_of(item.state)), steps, point.steps_left, known(plan, cost),
-                          known(plan, cost / ranks), disk_MiB(point)});
+    table.rows.push_back({fmt::format("#{}", item.point.ordinal), item.point.label(), std::string(word_of(item.state)),
+                          steps, point.steps_left, known(plan, cost), known(plan, cost / ranks), disk_MiB(point)});
     totals.steps += steps;
     totals.steps_left += point.steps_left;
     totals.core_hours += cost;

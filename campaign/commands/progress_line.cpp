@@ -25,7 +25,7 @@ std::string job_text(const Manager& manager, const LivingJob& job) {
     return fmt::format("#{} starts", job.ordinal);
   const double percent = 100.0 * static_cast<double>(progress->step) / static_cast<double>(progress->end_step);
   std::string text = fmt::format("#{} {:.0f} %", job.ordinal, percent);
-  if (progress->eta_s) text += " " + duration_text(*progress->eta_s) + " left";
+  if (progress->eta_s) text += fmt::format(" {} left", duration_text(*progress->eta_s));
   return text;
 }
 

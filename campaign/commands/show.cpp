@@ -18,7 +18,7 @@ void add_group(Table& table, const Rows& rows, const std::string& group, const s
   for (const std::vector<Value>& row : rows.rows) {
     std::string heading = group;
     for (std::size_t c = 0; c < row.size(); ++c)
-      if (rows.columns[c] == numbered_by) heading += " " + exact_text(row[c]);
+      if (rows.columns[c] == numbered_by) heading = fmt::format("{} {}", group, exact_text(row[c]));
     for (std::size_t c = 0; c < row.size(); ++c)
       if (rows.columns[c] != numbered_by) table.rows.push_back({heading, rows.columns[c], row[c]});
   }

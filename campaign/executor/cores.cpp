@@ -2,6 +2,8 @@
 // Affinity masks as lists of cores.
 #include "executor/cores.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sched.h>
 
 #include <algorithm>
@@ -37,11 +39,7 @@ Cores free_cores(const Cores& allowed, const std::vector<Occupant>& occupants) {
   return free;
 }
 
-std::string to_text(const Cores& cores) {
-  std::string text;
-  for (const int core : cores) text += (text.empty() ? "" : ",") + std::to_string(core);
-  return text;
-}
+std::string to_text(const Cores& cores) { return fmt::format("{}", fmt::join(cores, ",")); }
 
 bool pin_to(const Cores& cores) {
   cpu_set_t set;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Samples, and how far the log they come from was read.
-#include <limits>
-
 #include "store/store.hpp"
 #include "study/error.hpp"
 
@@ -34,16 +32,12 @@ SampleRow sample_in(const Statement& statement) {
 }  // namespace
 
 std::vector<SampleRow> Store::samples(std::string_view point) const {
-  return samples_since(point, std::numeric_limits<double>::lowest());
-}
-
-std::vector<SampleRow> Store::samples_since(std::string_view point, double time_s) const {
   Statement statement = database_.prepare(
       "SELECT step, cell, time_s, d_um, x_um, y_um, z_um, asphericity, volume_ratio, area_ratio, inclination_deg, "
       "inside_nodes, inside_ratio, flips, mean_velocity_mm_per_s, pressure_gradient_Pa_per_m, velocity_x_mm_per_s, "
       "finite "
-      "FROM sample WHERE point = (SELECT ordinal FROM point WHERE key = ?) AND time_s >= ? ORDER BY step, cell");
-  statement.bind(point, time_s);
+      "FROM sample WHERE point = (SELECT ordinal FROM point WHERE key = ?) ORDER BY step, cell");
+  statement.bind(point);
   std::vector<SampleRow> samples;
   while (statement.step()) samples.push_back(sample_in(statement));
   return samples;

@@ -70,7 +70,6 @@ class Store {
 
   // Samples, in the order of (step, cell).
   [[nodiscard]] std::vector<SampleRow> samples(std::string_view point) const;
-  [[nodiscard]] std::vector<SampleRow> samples_since(std::string_view point, double time_s) const;
   /// Inserts, over those of the same (step, cell).
   void put_samples(std::string_view point, std::span<const SampleRow> samples);
   void delete_samples(std::string_view point);

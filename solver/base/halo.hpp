@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which layers of a field its halo is filled from, and the filling when an axis is periodic within one block.
 //
-// Halos are filled axis after axis, x, y, z. Each phase carries along the halo nodes of the axes before it, so that edges
-// and corners arrive without messages of their own.
+// Halos are filled axis after axis, x, y, z. Each phase carries along the halo nodes of the axes before it, so that
+// edges and corners arrive without messages of their own.
 #pragma once
 
 #include "base/grid.hpp"
@@ -14,8 +14,8 @@ struct Box {
   Int3 begin{}, end{};
 };
 
-/// Layers [first, last) along `axis`; along the others what the phase of `axis` carries: owned and halo nodes of the axes
-/// before it, owned nodes of those after it.
+/// Layers [first, last) along `axis`; along the others what the phase of `axis` carries: owned and halo nodes of the
+/// axes before it, owned nodes of those after it.
 inline Box phase_box(const Layout& layout, int axis, int first, int last) {
   Box box;
   for (int a = 0; a < 3; ++a) {

@@ -41,8 +41,8 @@ void place_row(Row<Real>& row, Fluid<Real>& fluid, int j, int k) {
   }
 }
 
-/// Whether the row has a node inside a cell; if so, sets the flags in the type of the populations: mixed with bytes, the loop
-/// would be vectorised over 64 nodes at a time and run out of registers.
+/// Whether the row has a node inside a cell; if so, sets the flags in the type of the populations: mixed with bytes,
+/// the loop would be vectorised over 64 nodes at a time and run out of registers.
 template <class Real>
 bool load_flags(const std::uint8_t* flags, int size, Real* inside) {
   if (std::memchr(flags, 1, static_cast<std::size_t>(size)) == nullptr) return false;
@@ -75,7 +75,9 @@ void collide_and_stream(Fluid<Real>& fluid, const Collision& collision, const Fi
   std::swap(fluid.f, fluid.f_next);
 }
 
-template void collide_and_stream(Fluid<float>&, const Collision&, const Field<std::uint8_t>&, const Vec3&, const RowMasks&);
-template void collide_and_stream(Fluid<double>&, const Collision&, const Field<std::uint8_t>&, const Vec3&, const RowMasks&);
+template void collide_and_stream(Fluid<float>&, const Collision&, const Field<std::uint8_t>&, const Vec3&,
+                                 const RowMasks&);
+template void collide_and_stream(Fluid<double>&, const Collision&, const Field<std::uint8_t>&, const Vec3&,
+                                 const RowMasks&);
 
 }  // namespace rouleau

@@ -17,10 +17,10 @@ struct RowMasks {
 };
 
 /// Streams and collides every owned node.   Eqs. 1-4 of the paper, force of [Guo2002]
-/// reads  fluid.f with its halos filled, fluid.g, `inside` (1: inside a cell; owned nodes), `body_force` (force per volume)
-/// sets   fluid.f (owned nodes; swapped with f_next), fluid.u = (sum c f + (body_force + g)/2) / rho in the wanted rows
-/// leaves the halos of fluid.f and fluid.u to be filled by the caller
-/// The masks choose what is computed, never its bits: a row with force 0 and one without have the same result.
+/// reads  fluid.f with its halos filled, fluid.g, `inside` (1: inside a cell; owned nodes), `body_force` (force per
+/// volume) sets   fluid.f (owned nodes; swapped with f_next), fluid.u = (sum c f + (body_force + g)/2) / rho in the
+/// wanted rows leaves the halos of fluid.f and fluid.u to be filled by the caller The masks choose what is computed,
+/// never its bits: a row with force 0 and one without have the same result.
 template <class Real>
 void collide_and_stream(Fluid<Real>& fluid, const Collision& collision, const Field<std::uint8_t>& inside,
                         const Vec3& body_force, const RowMasks& masks = {});

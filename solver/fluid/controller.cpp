@@ -25,10 +25,11 @@ MeanVelocityController::MeanVelocityController(double target, double time_consta
       closed_loop_time_(closed_loop_time(time_constant, interval)),
       interval_(interval) {
   if (!std::isfinite(target) || target == 0)
-    fail(Exit::bad_input, "mean velocity to hold is {}; it must be finite and not zero. Choose driving = rest instead.", target);
+    fail(Exit::bad_input, "mean velocity to hold is {}; it must be finite and not zero. Choose driving = rest instead.",
+         target);
   if (!(time_constant > 0) || interval < 1)
-    fail(Exit::bad_input, "controller has time constant {} and interval {} steps; both must be positive.", time_constant,
-         interval);
+    fail(Exit::bad_input, "controller has time constant {} and interval {} steps; both must be positive.",
+         time_constant, interval);
 }
 
 double MeanVelocityController::largest_force() const { return force_reserve * std::abs(target_) / time_constant_; }

@@ -10,10 +10,10 @@ struct ControllerState {
   double force = 0;     ///< body force along x, until the next update
 };
 
-/// Proportional-integral control, G = integral + K_p e, d(integral)/dt = K_i e, e = target - mean velocity, of a flow that obeys
-/// du/dt = G - u/T, T the time constant of the empty channel. The gains K_p = 2/T_c - 1/T, K_i = 1/T_c^2 damp the loop
-/// critically; with the integral it starts from, the flow approaches the target like exp(-t/T_c), without overshoot.
-/// A cell adds to the friction; the integral takes that up.
+/// Proportional-integral control, G = integral + K_p e, d(integral)/dt = K_i e, e = target - mean velocity, of a flow
+/// that obeys du/dt = G - u/T, T the time constant of the empty channel. The gains K_p = 2/T_c - 1/T, K_i = 1/T_c^2
+/// damp the loop critically; with the integral it starts from, the flow approaches the target like exp(-t/T_c), without
+/// overshoot. A cell adds to the friction; the integral takes that up.
 class MeanVelocityController {
  public:
   /// `target`: mean velocity; `time_constant`: T = mean velocity over body force of the empty channel, steps

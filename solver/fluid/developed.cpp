@@ -46,8 +46,8 @@ DevelopedFlow::DevelopedFlow(double width_y, double width_z) : width_y_(width_y)
   const double shorter = std::min(width_y, width_z), longer = std::max(width_y, width_z);
   if (!(shorter > 0 && std::isfinite(shorter)))
     fail(Exit::bad_input,
-         "channel is {} x {} nodes wide: a force along x has no steady flow without walls in y or z. Give it walls.", width_y,
-         width_z);
+         "channel is {} x {} nodes wide: a force along x has no steady flow without walls in y or z. Give it walls.",
+         width_y, width_z);
   mean_ = mean_of(shorter / 2, longer / 2);
 }
 

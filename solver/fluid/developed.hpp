@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The steady laminar flow that a uniform body force drives along x through a rectangular channel, or between two plates.
+// The steady laminar flow that a uniform body force drives along x through a rectangular channel, or between two
+// plates.
 #pragma once
 
 #include "base/grid.hpp"

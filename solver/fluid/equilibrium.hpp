@@ -14,8 +14,8 @@ ROW_INLINE inline Real dot(const Real3<Real>& a, const Real3<Real>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// The populations of a node minus their weights, as halves of opposite pairs p: f_q - w_q = even[p] + odd[p] for the first
-/// direction of the pair, even[p] - odd[p] for the second. Also holds whatever else has one value a direction.
+/// The populations of a node minus their weights, as halves of opposite pairs p: f_q - w_q = even[p] + odd[p] for the
+/// first direction of the pair, even[p] - odd[p] for the second. Also holds whatever else has one value a direction.
 template <class Real>
 struct Halves {
   Real rest;
@@ -76,7 +76,8 @@ ROW_INLINE inline Real equilibrium_rest(const Moments<Real>& m) {
   return w_q<Real>(0) * m.even_0;
 }
 
-/// w [3 (c - u) + 9 (c.u) c] . F   [Guo2002 eq. 20] without its factor 1 - omega/2, which differs between even and odd parts
+/// w [3 (c - u) + 9 (c.u) c] . F   [Guo2002 eq. 20] without its factor 1 - omega/2, which differs between even and odd
+/// parts
 template <int p, class Real>
 ROW_INLINE inline Pair<Real> guo_source(const Moments<Real>& m) {
   constexpr Real w = w_q<Real>(1 + 2 * p);

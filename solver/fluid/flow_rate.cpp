@@ -38,8 +38,8 @@ ROW_INLINE inline double density(const std::array<const Real*, Q>& f, int x) {
   return sum;
 }
 
-/// Nearest integer to v 2^36, ties to even, for |v| < 2^15: adding 1.5 2^52 leaves the integer in the low bits of the sum.
-/// Written so that it vectorises on every machine, which a conversion to 64-bit integers does not.
+/// Nearest integer to v 2^36, ties to even, for |v| < 2^15: adding 1.5 2^52 leaves the integer in the low bits of the
+/// sum. Written so that it vectorises on every machine, which a conversion to 64-bit integers does not.
 ROW_INLINE inline std::int64_t to_fixed_point(double v) {
   constexpr double shift = 0x1.8p52;
   return std::bit_cast<std::int64_t>(v * momentum_scale + shift) - std::bit_cast<std::int64_t>(shift);
@@ -70,7 +70,8 @@ template <class Real>
     const double jx = momentum<0>(f, x), jy = momentum<1>(f, x), jz = momentum<2>(f, x);
     if (!is_good(jx) || !is_good(jy) || !is_good(jz))
       fail(Exit::physics,
-           "the momentum of node ({}, {}, {}) is ({}, {}, {}); each component must be below {}. Try a smaller time step.",
+           "the momentum of node ({}, {}, {}) is ({}, {}, {}); each component must be below {}. Try a smaller time "
+           "step.",
            fluid.block.begin[0] + x, fluid.block.begin[1] + j, fluid.block.begin[2] + k, jx, jy, jz, largest_momentum);
   }
 }

@@ -10,19 +10,21 @@ namespace rouleau {
 
 /// Lattice units, reference density 1.
 ///
-/// What a checkpoint must hold is `f` at the owned nodes, and nothing else: the populations after the last collision, before
-/// they stream. Halos and nodes beyond walls are rebuilt from it (exchange or `fill_periodic`, then `fill_walls`); `f_next`
-/// is scratch; `u` and `g` are made anew in each step. `f` and `f_next` are swapped by each step: do not keep pointers.
+/// What a checkpoint must hold is `f` at the owned nodes, and nothing else: the populations after the last collision,
+/// before they stream. Halos and nodes beyond walls are rebuilt from it (exchange or `fill_periodic`, then
+/// `fill_walls`); `f_next` is scratch; `u` and `g` are made anew in each step. `f` and `f_next` are swapped by each
+/// step: do not keep pointers.
 template <class Real>
 struct Fluid {
   Lattice lattice;
   Block block;
-  std::array<std::array<Vec3, 2>, 3> wall_velocity;  ///< [axis][side], used on axes that are not periodic; within the wall
-  Populations<Real> f;                               ///< f_q - w_q after collision: the state
-  Populations<Real> f_next;                          ///< what the step in progress writes
-  VectorField<Real> u;                               ///< velocity, halo 2; set by a step in the rows that want it
-  VectorField<Real> g;                               ///< membrane force per volume, halo 0; read by a step
-  Array<Real> inside_row;                            ///< [x] workspace of `collide_and_stream`: the flags of one row
+  std::array<std::array<Vec3, 2>, 3>
+      wall_velocity;         ///< [axis][side], used on axes that are not periodic; within the wall
+  Populations<Real> f;       ///< f_q - w_q after collision: the state
+  Populations<Real> f_next;  ///< what the step in progress writes
+  VectorField<Real> u;       ///< velocity, halo 2; set by a step in the rows that want it
+  VectorField<Real> g;       ///< membrane force per volume, halo 0; read by a step
+  Array<Real> inside_row;    ///< [x] workspace of `collide_and_stream`: the flags of one row
 
   Fluid(const Lattice& whole, const Block& owned)
       : lattice(whole),

@@ -49,7 +49,8 @@ void set_equilibrium(Fluid<Real>& fluid, const std::function<Vec3(const Int3&)>&
 
 template <class Real>
 void set_uniform(Fluid<Real>& fluid, const Vec3& u, const Vec3& body_force) {
-  set_equilibrium(fluid, [&](const Int3&) { return u; }, body_force);
+  set_equilibrium(
+      fluid, [&](const Int3&) { return u; }, body_force);
 }
 
 template <class Real>

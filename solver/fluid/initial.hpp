@@ -8,10 +8,10 @@
 
 namespace rouleau {
 
-/// Density 1 and the velocity `u_of(global node)`, in equilibrium under `body_force`: f = f_eq + S_F/2, what a collision leaves
-/// of a node in equilibrium, so that the momentum sum c f - F/2 of the state is u. Nothing of the shear stress is preset: it
-/// builds up in a few steps.
-/// sets fluid.f and fluid.u of owned nodes; halos are to be filled by the caller
+/// Density 1 and the velocity `u_of(global node)`, in equilibrium under `body_force`: f = f_eq + S_F/2, what a
+/// collision leaves of a node in equilibrium, so that the momentum sum c f - F/2 of the state is u. Nothing of the
+/// shear stress is preset: it builds up in a few steps. sets fluid.f and fluid.u of owned nodes; halos are to be filled
+/// by the caller
 template <class Real>
 void set_equilibrium(Fluid<Real>& fluid, const std::function<Vec3(const Int3&)>& u_of, const Vec3& body_force);
 

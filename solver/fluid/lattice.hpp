@@ -32,7 +32,9 @@ inline constexpr std::array<std::array<int, 3>, Q> c_q = [] {
   return c;
 }();
 
-inline constexpr int squared_length(int q) { return c_q[q][0] * c_q[q][0] + c_q[q][1] * c_q[q][1] + c_q[q][2] * c_q[q][2]; }
+inline constexpr int squared_length(int q) {
+  return c_q[q][0] * c_q[q][0] + c_q[q][1] * c_q[q][1] + c_q[q][2] * c_q[q][2];
+}
 
 /// 36 w_q: whole numbers, for exact identities.
 inline constexpr int weight_36(int q) { return squared_length(q) == 0 ? 12 : squared_length(q) == 1 ? 2 : 1; }
@@ -48,7 +50,8 @@ inline constexpr int opposite(int q) { return q == 0 ? 0 : (q % 2 == 1 ? q + 1 :
 /// Side of a face: 0 the low end of an axis, 1 the high one.
 inline constexpr int direction_sign(int side) { return side == 0 ? -1 : 1; }
 
-/// The five directions that leave a block through its face, c_q[axis] = -1 (side 0) or +1 (side 1): what a neighbour needs.
+/// The five directions that leave a block through its face, c_q[axis] = -1 (side 0) or +1 (side 1): what a neighbour
+/// needs.
 inline constexpr std::array<int, 5> directions_out(int axis, int side) {
   std::array<int, 5> list{};
   int n = 0;

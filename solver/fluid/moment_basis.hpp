@@ -14,8 +14,8 @@ struct MomentRow {
   std::array<int, Q> value;  ///< M_kq
 };
 
-/// Rows of M. c2 = |c|^2; e: energy, eps: its square, q: energy flux, nu: shear stress, pi: its fourth-order companions, m: the
-/// third-order antisymmetric ones. e, eps, nu, pi are even in c; q, m are odd.
+/// Rows of M. c2 = |c|^2; e: energy, eps: its square, q: energy flux, nu: shear stress, pi: its fourth-order
+/// companions, m: the third-order antisymmetric ones. e, eps, nu, pi are even in c; q, m are odd.
 inline constexpr std::array<MomentRow, Q> moment_basis = [] {
   using K = MomentKind;
   std::array<MomentRow, Q> M{};

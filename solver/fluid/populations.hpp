@@ -7,8 +7,8 @@
 
 namespace rouleau {
 
-/// f_q - w_q at the nodes of a block, halo 1. Stored minus the weights because the flow is a deviation of about 1e-3 from
-/// them: single precision then resolves 1e-10 of the weight instead of 1e-7.
+/// f_q - w_q at the nodes of a block, halo 1. Stored minus the weights because the flow is a deviation of about 1e-3
+/// from them: single precision then resolves 1e-10 of the weight instead of 1e-7.
 template <class Real>
 struct Populations {
   Layout layout;
@@ -17,8 +17,8 @@ struct Populations {
 
   Populations() = default;
   explicit Populations(const Int3& owned) : layout(owned, 1) {
-    // A step walks 38 streams side by side. Spacing them 27 cache lines apart modulo a page spreads them over all sets of a
-    // first-level cache (19 multiples of 27 leave gaps of 3 or 4 lines in 64).
+    // A step walks 38 streams side by side. Spacing them 27 cache lines apart modulo a page spreads them over all sets
+    // of a first-level cache (19 multiples of 27 leave gaps of 3 or 4 lines in 64).
     constexpr std::ptrdiff_t line = cache_line / sizeof(Real), page = 64 * line;
     stride_q = (layout.count + page - 1) / page * page + 27 * line;
     data.resize(static_cast<std::size_t>(stride_q * Q));

@@ -13,22 +13,24 @@ constexpr double largest_viscosity = 100;
 
 void require_rate(const char* name, double rate) {
   if (!(rate > 0 && rate < 2))
-    fail(Exit::bad_input, "relaxation rate `{}` is {}; it must lie between 0 and 2, both excluded. Choose another rate.",
-         name, rate);
+    fail(Exit::bad_input,
+         "relaxation rate `{}` is {}; it must lie between 0 and 2, both excluded. Choose another rate.", name, rate);
 }
 
 }  // namespace
 
 double shear_rate_of(double nu) {
   if (!(nu > 0 && nu <= largest_viscosity))
-    fail(Exit::bad_input,
-         "kinematic viscosity is {} in lattice units; it must lie in (0, {}]. Change the time step or the node spacing.", nu,
-         largest_viscosity);
+    fail(
+        Exit::bad_input,
+        "kinematic viscosity is {} in lattice units; it must lie in (0, {}]. Change the time step or the node spacing.",
+        nu, largest_viscosity);
   return 1 / (3 * nu + 0.5);
 }
 
 TrtRates<> trt_rates(double nu, double magic) {
-  if (!(magic > 0)) fail(Exit::bad_input, "magic number of TRT is {}; it must be positive. 0.1875 makes walls exact.", magic);
+  if (!(magic > 0))
+    fail(Exit::bad_input, "magic number of TRT is {}; it must be positive. 0.1875 makes walls exact.", magic);
   return {shear_rate_of(nu), 1 / (magic / (3 * nu) + 0.5)};
 }
 

@@ -6,13 +6,15 @@
 
 namespace rouleau {
 
-/// Two rates: one for the even halves of opposite pairs (it sets the viscosity), one for the odd halves. [Ginzburg 2008]
+/// Two rates: one for the even halves of opposite pairs (it sets the viscosity), one for the odd halves. [Ginzburg
+/// 2008]
 template <class Real = double>
 struct TrtRates {
   Real even, odd;
 };
 
-/// A rate for each kind of moment (see moment_basis.hpp): energy, its square, energy flux, shear, and the ghosts pi and m.
+/// A rate for each kind of moment (see moment_basis.hpp): energy, its square, energy flux, shear, and the ghosts pi and
+/// m.
 template <class Real = double>
 struct MrtRates {
   Real e, eps, q, nu, pi, m;

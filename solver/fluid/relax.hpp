@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The collision of one node: two rates (TRT), or a rate for each kind of moment (MRT), with Guo's force in both.
 //
-// With R the relaxation operator (M^-1 S M, or omega_even / omega_odd on the halves of pairs) the paper's Eq. 4 and Guo's
-// source, (1 - R/2) S_F, are together     f* = f + S_F - R (f - f_eq + S_F / 2).
-// The bracket has no density and, by the definition of u, no momentum: conserved moments need no rate.
+// With R the relaxation operator (M^-1 S M, or omega_even / omega_odd on the halves of pairs) the paper's Eq. 4 and
+// Guo's source, (1 - R/2) S_F, are together     f* = f + S_F - R (f - f_eq + S_F / 2). The bracket has no density and,
+// by the definition of u, no momentum: conserved moments need no rate.
 #pragma once
 
 #include "fluid/equilibrium.hpp"

@@ -10,11 +10,11 @@ namespace rouleau {
 template <class Real>
 struct Row {
   int size = 0;
-  std::array<const Real*, Q> from{};   ///< f_q of the node that direction q streams here from
-  std::array<Real*, Q> to{};           ///< f_q after this step
-  std::array<const Real*, 3> g{};      ///< membrane force
-  std::array<Real*, 3> u{};            ///< velocity
-  const Real* inside = nullptr;        ///< 1 inside a cell, 0 outside
+  std::array<const Real*, Q> from{};  ///< f_q of the node that direction q streams here from
+  std::array<Real*, Q> to{};          ///< f_q after this step
+  std::array<const Real*, 3> g{};     ///< membrane force
+  std::array<Real*, 3> u{};           ///< velocity
+  const Real* inside = nullptr;       ///< 1 inside a cell, 0 outside
   Real3<Real> body_force{};
 };
 
@@ -78,8 +78,8 @@ ROW_INLINE inline void step_node(const Row<Real>& row, const TwoFluids<Rates>& r
     push(row, x, collide(f, m, rates.outside));
 }
 
-/// The body of the loop is one call: variables of the loop itself would be made arrays over its lanes by `omp simd`, which
-/// stops vectorisation; those of an inlined function become registers first.
+/// The body of the loop is one call: variables of the loop itself would be made arrays over its lanes by `omp simd`,
+/// which stops vectorisation; those of an inlined function become registers first.
 template <RowKind kind, class Real, class Rates>
 void step_row_as(const Row<Real>& row, const TwoFluids<Rates>& rates) {
   ROW_LOOP

@@ -55,13 +55,15 @@ void require_wall_velocities(const Lattice& lattice, const std::array<std::array
   for (int axis = 0; axis < 3; ++axis)
     for (const Vec3& u : wall_velocity[axis]) {
       if (!(u.norm() <= fastest))
-        fail(Exit::bad_input, "a wall of axis {} moves at {} nodes a step; at most {} is allowed. Shorten the time step.",
-             name[axis], u.norm(), fastest);
+        fail(Exit::bad_input,
+             "a wall of axis {} moves at {} nodes a step; at most {} is allowed. Shorten the time step.", name[axis],
+             u.norm(), fastest);
       if (u[axis] != 0)
-        fail(Exit::bad_input, "a wall of axis {} moves at {} nodes a step along its normal; it may slide only.", name[axis],
-             u[axis]);
+        fail(Exit::bad_input, "a wall of axis {} moves at {} nodes a step along its normal; it may slide only.",
+             name[axis], u[axis]);
       if (lattice.periodic[axis] && !u.isZero(0))
-        fail(Exit::bad_input, "axis {} is periodic but has a wall that moves; give it walls or no velocity.", name[axis]);
+        fail(Exit::bad_input, "axis {} is periodic but has a wall that moves; give it walls or no velocity.",
+             name[axis]);
     }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Half-way bounce-back walls, standing or moving, by filling the nodes beyond them: the row loop knows nothing of walls.
+// Half-way bounce-back walls, standing or moving, by filling the nodes beyond them: the row loop knows nothing of
+// walls.
 #pragma once
 
 #include "fluid/fluid.hpp"
@@ -8,10 +9,10 @@ namespace rouleau {
 
 /// For every node h beyond a wall and every q for which n = h + c_q is an owned node:
 ///   f_q(h) = f_opposite(q)(n) + 6 w_q rho_0 c_q . u_wall,  rho_0 = 1        [Ladd1994]
-/// With rho_0 = 1, not the local density, what a wall moving in its plane adds at a node sums to zero: mass is conserved.
-/// Where a link passes through the edge of two walls it meets the wall of the later axis (z before y before x).
-/// reads  fluid.f of owned nodes
-/// sets   fluid.f beyond the walls that the block touches, over the halo of the other axes too: call it after those are filled
+/// With rho_0 = 1, not the local density, what a wall moving in its plane adds at a node sums to zero: mass is
+/// conserved. Where a link passes through the edge of two walls it meets the wall of the later axis (z before y before
+/// x). reads  fluid.f of owned nodes sets   fluid.f beyond the walls that the block touches, over the halo of the other
+/// axes too: call it after those are filled
 template <class Real>
 void fill_walls(Fluid<Real>& fluid);
 

@@ -19,7 +19,11 @@ namespace {
 class AttemptRun {
  public:
   AttemptRun(const RunOptions& options, const Communicator& comm, FileSystem& files)
-      : options_(options), comm_(comm), files_(files), directory_(options.run_file.parent_path()), begun_s_(monotonic_s()) {
+      : options_(options),
+        comm_(comm),
+        files_(files),
+        directory_(options.run_file.parent_path()),
+        begun_s_(monotonic_s()) {
     if (directory_.empty()) directory_ = ".";
     record_.ranks = comm.size();
     record_.version = version();
@@ -93,12 +97,12 @@ class AttemptRun {
     const Resumed resumed = load_newest(files_, directory_ / "checkpoints", comm_, expected, state);
     record_.rejected_checkpoints = resumed.rejected;
     if (comm_.is_root())
-      for (const auto& [file, why] : resumed.rejected)
-        fmt::print(stderr, "checkpoint {} is rejected: {}\n", file, why);
+      for (const auto& [file, why] : resumed.rejected) fmt::print(stderr, "checkpoint {} is rejected: {}\n", file, why);
     if (!resumed.metadata) {
       if (resumed.rejected.empty()) return std::nullopt;
       fail(Exit::bad_input,
-           "{}: none of its {} checkpoints can be continued (see above). Move them and samples.csv away to start anew at step 0.",
+           "{}: none of its {} checkpoints can be continued (see above). Move them and samples.csv away to start anew "
+           "at step 0.",
            (directory_ / "checkpoints").string(), resumed.rejected.size());
     }
     simulation.resume();
@@ -143,8 +147,8 @@ class AttemptRun {
   }
 
   [[nodiscard]] std::string summary(const Outcome& outcome) const {
-    return fmt::format("{} at step {} of {} after {:.1f} s ({:.1f} MLUPS)", outcome.reason, record_.step, record_.end_step,
-                       record_.wall_s, record_.mlups);
+    return fmt::format("{} at step {} of {} after {:.1f} s ({:.1f} MLUPS)", outcome.reason, record_.step,
+                       record_.end_step, record_.wall_s, record_.mlups);
   }
 
   const RunOptions& options_;

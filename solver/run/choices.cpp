@@ -7,7 +7,8 @@ namespace rouleau {
 
 namespace {
 
-/// Steps between two updates of the driving force: short against the flow's own time, long against the cost of a sum over all nodes.
+/// Steps between two updates of the driving force: short against the flow's own time, long against the cost of a sum
+/// over all nodes.
 constexpr int control_interval = 10;
 
 MrtRates<> named_rates(const NumericsParameters& n, double nu) {

@@ -13,15 +13,15 @@ namespace {
 
 po::options_description visible_options() {
   po::options_description options("Options", 100, 60);
-  options.add_options()                                                                                         //
-      ("attempt", po::value<int>(), "number of the attempt that a manager has made (with --token)")             //
-      ("token", po::value<std::string>(), "its token; without both the next attempt is claimed")                //
-      ("deadline-s", po::value<double>(), "stop behind a checkpoint before this many seconds have passed")       //
-      ("ranks", po::value<std::string>(), "cut of the lattice, such as 1x2x2; default: the cheapest")           //
-      ("quiet", "no conversion table, no progress lines")                                                       //
-      ("format", po::value<std::string>(), "text (default) or json, for check and inspect")                     //
-      ("help", "this text")                                                                                     //
-      ("help-run-file", "every parameter of a run file, as a run file")                                         //
+  options.add_options()                                                                                     //
+      ("attempt", po::value<int>(), "number of the attempt that a manager has made (with --token)")         //
+      ("token", po::value<std::string>(), "its token; without both the next attempt is claimed")            //
+      ("deadline-s", po::value<double>(), "stop behind a checkpoint before this many seconds have passed")  //
+      ("ranks", po::value<std::string>(), "cut of the lattice, such as 1x2x2; default: the cheapest")       //
+      ("quiet", "no conversion table, no progress lines")                                                   //
+      ("format", po::value<std::string>(), "text (default) or json, for check and inspect")                 //
+      ("help", "this text")                                                                                 //
+      ("help-run-file", "every parameter of a run file, as a run file")                                     //
       ("version", "version, git hash, compiler, libraries");
   return options;
 }
@@ -49,7 +49,8 @@ void read_run_options(const po::variables_map& given, RunOptions& run) {
   if (run.attempt && *run.attempt < 1) fail(Exit::usage, "--attempt {}: attempts are numbered from 1.", *run.attempt);
   if (given.count("deadline-s")) {
     run.deadline_s = given["deadline-s"].as<double>();
-    if (!(*run.deadline_s > 0)) fail(Exit::usage, "--deadline-s {}: a positive number of seconds is needed.", *run.deadline_s);
+    if (!(*run.deadline_s > 0))
+      fail(Exit::usage, "--deadline-s {}: a positive number of seconds is needed.", *run.deadline_s);
   }
   if (given.count("ranks")) run.ranks = parse_ranks(given["ranks"].as<std::string>());
   run.quiet = given.count("quiet") > 0;
@@ -63,7 +64,8 @@ Verb verb_of(std::vector<std::string>& words) {
   if (words[0] == "verify") verb = Verb::verify;
   if (verb != Verb::run) words.erase(words.begin());
   if (words.size() != 1)
-    fail(Exit::usage, "one file is needed, {} are given: rouleau-solver [check|inspect|verify] FILE (see --help).", words.size());
+    fail(Exit::usage, "one file is needed, {} are given: rouleau-solver [check|inspect|verify] FILE (see --help).",
+         words.size());
   return verb;
 }
 
@@ -108,10 +110,12 @@ std::string help_text() {
           "  rouleau-solver inspect FILE.h5            what a checkpoint holds\n"
           "  rouleau-solver verify FILE.h5             whether it is whole\n"
           "  rouleau-solver --help-run-file > run.ini  a run file to start from\n\n"
-          "A run writes into the folder of its run file. Ctrl-C, SIGTERM, SIGUSR2 or a file named `stop` there end it behind a\n"
+          "A run writes into the folder of its run file. Ctrl-C, SIGTERM, SIGUSR2 or a file named `stop` there end it "
+          "behind a\n"
           "checkpoint.\n\n"
        << visible_options()
-       << "\nExit codes: 0 finished, 64 usage, 65 bad input, 70 physics failed, 74 files, 75 stopped (run again to go on),\n"
+       << "\nExit codes: 0 finished, 64 usage, 65 bad input, 70 physics failed, 74 files, 75 stopped (run again to go "
+          "on),\n"
           "76 a newer attempt has taken over.\n";
   return text.str();
 }

@@ -36,7 +36,11 @@ namespace {
 ordered_json report_json(const CheckpointReport& report) {
   ordered_json items = ordered_json::array(), cells = ordered_json::array();
   for (const ItemSummary& item : report.items)
-    items.push_back({{"name", item.name}, {"type", element_name(item.type)}, {"shape", item.shape}, {"bytes", item.bytes}});
+    items.push_back({{"name", item.name},
+                     {"type", element_name(item.type)},
+                     {"shape", item.shape},
+                     {"bytes", item.bytes},
+                     {"checksums", item.checksums}});
   const auto vector = [](const Vec3& v) { return ordered_json{v[0], v[1], v[2]}; };
   for (const CellSummary& c : report.cells)
     cells.push_back({{"vertices", c.vertices},
@@ -55,10 +59,11 @@ ordered_json report_json(const CheckpointReport& report) {
 
 std::string report_lines(const CheckpointReport& report) {
   const CheckpointMetadata& m = report.metadata;
-  std::string text = fmt::format("{}: step {}, t = {:.9g} s, {} x {} x {} nodes of {:.6g} um, {:.1f} MB\n", report.file.string(),
-                                 m.step, m.time_s, report.lattice[0], report.lattice[1], report.lattice[2], m.node_spacing_um,
-                                 static_cast<double>(report.bytes) * 1e-6);
-  text += fmt::format("written by attempt {} of rouleau-solver {} ({}), layout {}\n", m.attempt, m.version, m.git, m.layout);
+  std::string text = fmt::format("{}: step {}, t = {:.9g} s, {} x {} x {} nodes of {:.6g} um, {:.1f} MB\n",
+                                 report.file.string(), m.step, m.time_s, report.lattice[0], report.lattice[1],
+                                 report.lattice[2], m.node_spacing_um, static_cast<double>(report.bytes) * 1e-6);
+  text += fmt::format("written by attempt {} of rouleau-solver {} ({}), layout {}\n", m.attempt, m.version, m.git,
+                      m.layout);
   text += fmt::format("identity {}, digest of the state {}\n", m.identity, report.digest);
   text += fmt::format("samples.csv: {} bytes counted\n\n", m.samples.bytes);
   for (const ItemSummary& item : report.items)
@@ -86,8 +91,8 @@ VerifyAnswer verify_text(const std::filesystem::path& file, FileSystem& files) {
   const Verification verification = verify_checkpoint(files, file);
   VerifyAnswer answer{verification.sound, ""};
   for (const VerificationLine& line : verification.lines)
-    answer.text += fmt::format("  {:<32} {}{}{}\n", line.what, line.sound ? "sound" : "DAMAGED", line.detail.empty() ? "" : ": ",
-                               line.detail);
+    answer.text += fmt::format("  {:<32} {}{}{}\n", line.what, line.sound ? "sound" : "DAMAGED",
+                               line.detail.empty() ? "" : ": ", line.detail);
   answer.text += fmt::format("{}: {}\n", file.string(), verification.sound ? "sound" : "DAMAGED");
   return answer;
 }

@@ -235,7 +235,7 @@ Rows numerics_rows() {
       real("numerics", "time_step_us", required, 1e-6, 1e4, numerics<&P::time_step_us>,
            "dt; with dx and tau it sets the inflation of the Reynolds number, see `check`")
           .example("25/36"),
-      real("numerics", "tau_plasma", "1", 0.51, 3, numerics<&P::tau_plasma>,
+      real("numerics", "tau_plasma", "1", 0.51, 6, numerics<&P::tau_plasma>,
            "relaxation time outside; inside 0.5 + lambda (tau - 0.5)")
           .example("1.5"),
       choice("numerics", "precision", "single", {"single", "double"}, numerics<&P::precision>, "of the populations"),

@@ -74,7 +74,8 @@ Outcome RunLoop::run() try {
   }
 } catch (const Error& error) {
   if (error.code() != Exit::physics) throw;
-  throw Error(Exit::physics, fmt::format("step {}: {}; {}.", parts_.simulation.steps_done(), error.what(), last_checkpoint()));
+  throw Error(Exit::physics,
+              fmt::format("step {}: {}; {}.", parts_.simulation.steps_done(), error.what(), last_checkpoint()));
 }
 
 void RunLoop::sample() {
@@ -96,8 +97,7 @@ void RunLoop::checkpoint() {
   parts_.comm.on_root([&] { position = parts_.log->sync(); });
   parts_.comm.broadcast(&position.bytes, sizeof position.bytes);
   parts_.comm.broadcast(position.hash);
-  const CheckpointPlace place{parts_.files, parts_.run_directory / "checkpoints",
-                              [this] { parts_.attempt->fence(); },
+  const CheckpointPlace place{parts_.files, parts_.run_directory / "checkpoints", [this] { parts_.attempt->fence(); },
                               parts_.setup.run.parameters.output.checkpoints_kept};
   int attempt = parts_.attempt ? parts_.attempt->number() : 0;
   parts_.comm.broadcast(&attempt, sizeof attempt);
@@ -120,7 +120,8 @@ void RunLoop::report_progress() {
     p.end_time_s = parts_.setup.units.time_s(p.end_step);
     p.steps_per_s = steps_per_s();
     p.mlups = mlups(parts_.setup, p.steps_per_s);
-    if (p.steps_per_s > 0) p.eta_s = static_cast<double>(std::max<std::int64_t>(0, p.end_step - p.step)) / p.steps_per_s;
+    if (p.steps_per_s > 0)
+      p.eta_s = static_cast<double>(std::max<std::int64_t>(0, p.end_step - p.step)) / p.steps_per_s;
     p.checkpoint_step = checkpoint_step_.value_or(0);
     p.checkpoint_unix_s = checkpoint_unix_s_;
     p.checkpoint_ms = 1e3 * checkpoint_s_;
@@ -129,8 +130,8 @@ void RunLoop::report_progress() {
     p.updated_unix_s = unix_s();
     write_progress(parts_.files, *parts_.attempt, p);
     if (!parts_.quiet)
-      fmt::print(stderr, "step {:>9} of {}  t {:.6f} s  {:7.1f} steps/s  {:6.1f} MLUPS{}{}\n", p.step, p.end_step, p.time_s,
-                 p.steps_per_s, p.mlups, p.eta_s ? fmt::format("  {:.0f} s left", *p.eta_s) : "",
+      fmt::print(stderr, "step {:>9} of {}  t {:.6f} s  {:7.1f} steps/s  {:6.1f} MLUPS{}{}\n", p.step, p.end_step,
+                 p.time_s, p.steps_per_s, p.mlups, p.eta_s ? fmt::format("  {:.0f} s left", *p.eta_s) : "",
                  p.d_um ? fmt::format("  d {:.3f} um", *p.d_um) : "");
   });
 }

@@ -12,8 +12,8 @@
 
 namespace rouleau {
 
-/// One rank's share of a simulation, whatever the precision of its populations. "Collective": all ranks call it, all get the
-/// same answer or the same Error.
+/// One rank's share of a simulation, whatever the precision of its populations. "Collective": all ranks call it, all
+/// get the same answer or the same Error.
 class Simulation {
  public:
   virtual ~Simulation() = default;
@@ -42,8 +42,8 @@ class Simulation {
   /// Flags changed by corrections since the last call of `forget_flips`, on all ranks.
   [[nodiscard]] virtual std::int64_t flips() const = 0;
   virtual void forget_flips() = 0;
-  /// Throws Error(physics) if values are not finite, a triangle is folded or collapsed, area or inside-node count is out of
-  /// bounds, or the flow is too fast. Collective.
+  /// Throws Error(physics) if values are not finite, a triangle is folded or collapsed, area or inside-node count is
+  /// out of bounds, or the flow is too fast. Collective.
   virtual void check_health() = 0;
 };
 

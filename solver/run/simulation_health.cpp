@@ -34,15 +34,16 @@ void CoupledSimulation<Real>::check_flow() const {
   if (!speed.first_bad) return;
   const Int3& n = *speed.first_bad;
   fail(Exit::physics,
-       "at node ({}, {}, {}) the velocity is not finite or above Mach {} (bounds.max_mach). Try a smaller time_step_us", n[0],
-       n[1], n[2], max_mach);
+       "at node ({}, {}, {}) the velocity is not finite or above Mach {} (bounds.max_mach). Try a smaller time_step_us",
+       n[0], n[1], n[2], max_mach);
 }
 
 template <class Real>
 void CoupledSimulation<Real>::check_cells() {
   if (const auto fault = mesh_health_.find_fault(cells_))
-    fail(Exit::physics, "cell {}, triangle {}: {}. Try a smaller time_step_us, the 4-point kernel, or a lower area_ratio",
-         fault->cell, fault->triangle, fault->what);
+    fail(Exit::physics,
+         "cell {}, triangle {}: {}. Try a smaller time_step_us, the 4-point kernel, or a lower area_ratio", fault->cell,
+         fault->triangle, fault->what);
   const BoundsParameters& bounds = setup_.run.parameters.bounds;
   for (std::size_t c = 0; c < cells_.ranges.size(); ++c) {
     const double ratio = area(cells_, c) / cells_.ranges[c].area_0;

@@ -15,8 +15,8 @@ struct Pointers {
   Counters* counters = nullptr;
 };
 
-PersistentState list(const Lattice& lattice, const Block& block, ElementType populations, const Layout& population_layout,
-                     const Layout& flag_layout, CellRecord& cells, const Pointers& p) {
+PersistentState list(const Lattice& lattice, const Block& block, ElementType populations,
+                     const Layout& population_layout, const Layout& flag_layout, CellRecord& cells, const Pointers& p) {
   using enum ElementType;
   static_assert(sizeof(ControllerState) == 2 * sizeof(double) && sizeof(Counters) == 2 * sizeof(std::int64_t));
   PersistentState state;

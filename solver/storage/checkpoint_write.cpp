@@ -56,6 +56,7 @@ void write_text(const Handle& file, const char* name, const std::string& text, c
   const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
   H5Tset_size(type.id(), text.size());
   H5Tset_strpad(type.id(), H5T_STR_NULLPAD);
+  H5Tset_cset(type.id(), H5T_CSET_UTF8);
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
   Handle data = make_dataset(file, name, type.id(), space, path);
   check(H5Dwrite(data.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), path, name, Exit::io);

@@ -53,8 +53,9 @@ TEST(Couette, InterfaceOfTwoViscositiesIsExact) {
   EXPECT_LT(two_layer_error<double>(testing::two_trt(nu_out, lambda * nu_out), 20), 1e-10);
   // Linear profiles are exact for every magic number, but for terms of order U^2 that only few rates cancel.
   EXPECT_LT(two_layer_error<double>(testing::two_trt(nu_out, lambda * nu_out, 0.25), 10), 1e-8);
-  EXPECT_LT(two_layer_error<double>(TwoFluids<MrtRates<>>{mrt_rates(nu_out, 1, 1), mrt_rates(lambda * nu_out, 1, 1)}, 10),
-            1e-8);
+  EXPECT_LT(
+      two_layer_error<double>(TwoFluids<MrtRates<>>{mrt_rates(nu_out, 1, 1), mrt_rates(lambda * nu_out, 1, 1)}, 10),
+      1e-8);
 }
 
 TEST(Couette, InterfaceOfTwoViscositiesIsExactToSinglePrecision) {

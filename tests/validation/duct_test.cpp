@@ -10,8 +10,8 @@ namespace rouleau {
 namespace {
 
 struct DuctError {
-  double l2 = 0;    ///< relative to the exact field at the nodes
-  double mean = 0;  ///< mean over the nodes against the true mean of the cross-section
+  double l2 = 0;       ///< relative to the exact field at the nodes
+  double mean = 0;     ///< mean over the nodes against the true mean of the cross-section
   double largest = 0;  ///< velocity of the fastest node against the exact one there
 };
 

@@ -44,7 +44,8 @@ TEST(PlanePoiseuille, TrtIsExactAtEveryViscosity) {
 }
 
 TEST(PlanePoiseuille, TrtIsExactToSinglePrecision) {
-  // Populations of 5e-4 rounded to 3e-11 act like random forces; between walls 10 nodes apart they add up to a few 1e-9.
+  // Populations of 5e-4 rounded to 3e-11 act like random forces; between walls 10 nodes apart they add up to a few
+  // 1e-9.
   EXPECT_LT(profile_error<float>(testing::one_trt(1.0 / 6), 1.0 / 6, 2, 10).largest, 1e-5);
   EXPECT_LT(profile_error<float>(testing::one_trt(5.0 / 6), 5.0 / 6, 2, 10).largest, 1e-5);
 }
@@ -63,7 +64,8 @@ void expect_slip(const ProfileError& error, double magic, int N) {
 
 TEST(PlanePoiseuille, SlipOfTrtFollowsItsMagicNumber) {
   for (const double magic : {1.0 / 4, 1.0 / 12})
-    for (const int N : {10, 16}) expect_slip(profile_error<double>(testing::one_trt(1.0 / 6, magic), 1.0 / 6, 2, N), magic, N);
+    for (const int N : {10, 16})
+      expect_slip(profile_error<double>(testing::one_trt(1.0 / 6, magic), 1.0 / 6, 2, N), magic, N);
 }
 
 TEST(PlanePoiseuille, SlipOfMrtWithUnitGhostRatesIsThatOfThreeHalvesTheViscosity) {

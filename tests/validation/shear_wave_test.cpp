@@ -15,7 +15,8 @@ template <class Real>
 double viscosity_error(const Collision& collision, double nu, int N) {
   const double k = 2 * std::numbers::pi / N;
   testing::OneBlock<Real> block({{2, 2, N}, {true, true, true}}, collision);
-  set_equilibrium(block.fluid, [&](const Int3& n) { return Vec3(1e-3 * std::sin(k * n[2]), 0, 0); }, Vec3::Zero());
+  set_equilibrium(
+      block.fluid, [&](const Int3& n) { return Vec3(1e-3 * std::sin(k * n[2]), 0, 0); }, Vec3::Zero());
   const auto amplitude = [&] {
     double sum = 0;
     for (int n = 0; n < N; ++n) sum += block.u(0, 1, 1, n) * std::sin(k * n) * 2 / N;
@@ -43,8 +44,8 @@ TEST(ShearWave, DecaysAlikeWithMrtAndInSingle) {
   const MrtRates<> rates = mrt_rates(nu, 1.2, 1.1);
   EXPECT_LT(std::abs(viscosity_error<double>(TwoFluids<MrtRates<>>{rates, rates}, nu, 64)), 0.01);
   // Rounding of 3e-11 on an amplitude of 1e-3, over some thousand steps.
-  EXPECT_NEAR(viscosity_error<float>(testing::one_trt(nu), nu, 64), viscosity_error<double>(testing::one_trt(nu), nu, 64),
-              1e-4);
+  EXPECT_NEAR(viscosity_error<float>(testing::one_trt(nu), nu, 64),
+              viscosity_error<double>(testing::one_trt(nu), nu, 64), 1e-4);
 }
 
 }  // namespace

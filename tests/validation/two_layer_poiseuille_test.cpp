@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Force-driven flow of two fluids, viscosity ratio 5, interface midway between nodes: the direct test of a local viscosity.
+// Force-driven flow of two fluids, viscosity ratio 5, interface midway between nodes: the direct test of a local
+// viscosity.
 #include <gtest/gtest.h>
 
 #include "fluid/initial.hpp"

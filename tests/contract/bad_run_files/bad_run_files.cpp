@@ -82,7 +82,7 @@ std::vector<BadRunFile> wrong_values() {
       {"SubdivisionsAboveRange", {{12, "subdivisions = 6"}}, 12, {"2 to 5"}},
       {"SampleIntervalZero", {{22, "sample_interval_steps = 0"}}, 22, {"sample_interval_steps = 0", "1 to 1e+12"}},
       {"OneCheckpointKept", {{22, "checkpoints_kept = 1"}}, 22, {"2 to 1000"}},
-      {"TauBelowRange", {{18, "tau_plasma = 0.5"}}, 18, {"0.51 to 3"}},
+      {"TauBelowRange", {{18, "tau_plasma = 0.5"}}, 18, {"tau_plasma = 0.5", "0.51 to"}},
       {"UnknownChoice",
        {{8, "driving = mean_velocty"}},
        8,

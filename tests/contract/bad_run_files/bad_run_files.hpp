@@ -16,7 +16,7 @@ struct Edit {
 struct BadRunFile {
   std::string name;  // for the test's name
   std::vector<Edit> edits;
-  int line;  // that the message names; 0: none, because the whole file is meant
+  int line;  // that the message names
   std::vector<std::string> parts;
   bool needs_mesh = false;  // found only once the mesh is made
 };

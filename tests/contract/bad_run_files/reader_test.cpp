@@ -36,7 +36,7 @@ TEST_P(BadRunFileTest, IsRefusedWithLineAndReason) {
   } catch (const Error& e) {
     const std::string message = e.what();
     EXPECT_EQ(e.code(), Exit::bad_input) << message;
-    EXPECT_THAT(message, StartsWith(bad.line > 0 ? "run.ini:" + std::to_string(bad.line) + ": " : "run.ini: "));
+    EXPECT_THAT(message, StartsWith("run.ini:" + std::to_string(bad.line) + ": "));
     for (const auto& part : bad.parts) EXPECT_THAT(message, HasSubstr(part));
     EXPECT_THAT(message, Not(HasSubstr("\n")));
   }

@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "storage/attempt.hpp"
 #include "storage/checkpoint.hpp"
+#include "storage/inspect.hpp"
 #include "storage/resume.hpp"
 #include "storage/sample_log.hpp"
 #include "support/file_system_double.hpp"
@@ -17,6 +18,7 @@ namespace {
 const Int3 size{5, 4, 3};
 constexpr std::int64_t end_step = 12;
 constexpr std::int64_t checkpoint_interval = 4;
+constexpr int kept = 2;
 
 /// The files of a run as the solver keeps them, around a state that is a pure function of the step.
 class MiniatureRun {
@@ -24,7 +26,7 @@ class MiniatureRun {
   MiniatureRun(FileSystem& files, const std::filesystem::path& directory)
       : files_(files),
         attempt_(Attempt::claim(files, directory)),
-        place_{files, directory / "checkpoints", [this] { attempt_.fence(); }, 2},
+        place_{files, directory / "checkpoints", [this] { attempt_.fence(); }, kept},
         log_(files, directory / "samples.csv", {"step", "cell", "value"}, [this] { attempt_.fence(); }) {}
 
   /// To the end, from the newest checkpoint or from step 0.
@@ -84,8 +86,15 @@ struct Ending {
 };
 
 Ending ending(const std::filesystem::path& directory, MiniatureRun& run) {
-  return {content_of(directory / "samples.csv"), run.final_digest(),
-          list_directory(posix_file_system(), directory / "checkpoints")};
+  Ending end{content_of(directory / "samples.csv"), run.final_digest(), {}};
+  // A death between the last rename and the removal of the oldest generation leaves one more than are kept.
+  const auto found = find_checkpoints(posix_file_system(), directory / "checkpoints");
+  EXPECT_LE(found.size(), static_cast<std::size_t>(kept + 1));
+  for (std::size_t i = 0; i < std::min<std::size_t>(kept, found.size()); ++i) {
+    end.checkpoints.push_back(found[i].filename().string());
+    EXPECT_TRUE(verify_checkpoint(posix_file_system(), found[i]).sound);
+  }
+  return end;
 }
 
 /// Runs with deaths at the given calls, one a start, then to the end. Returns how many calls the first start made.

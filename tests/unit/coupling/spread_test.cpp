@@ -162,5 +162,18 @@ TEST_P(Spread, IsUndoneByClearing) {
   }
 }
 
+TEST_P(Spread, ClearsARowOnceOnly) {
+  VectorField<double> g = zero_field<double>(whole(channel), 0);
+  Cells cells = points({{5.5, 4.5, 3.5}});
+  testing::random_forces(cells, 27);
+  Stencils s(GetParam(), channel, whole(channel), 1);
+  find_stencils(cells, s);
+  spread(cells.F, s, g);
+  clear_touched(s, g);
+  g[0](5, 4, 3) = 1;  // whatever stands there now is not the spreading's
+  clear_touched(s, g);
+  EXPECT_EQ(g[0](5, 4, 3), 1);
+}
+
 }  // namespace
 }  // namespace rouleau

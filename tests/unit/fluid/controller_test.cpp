@@ -18,7 +18,8 @@ struct Response {
 };
 
 /// du/dt = G - friction u / T, in exact steps of the interval.
-Response run_plant(const MeanVelocityController& controller, double u, double time_constant, double friction, int updates) {
+Response run_plant(const MeanVelocityController& controller, double u, double time_constant, double friction,
+                   int updates) {
   ControllerState state = controller.start(u);
   Response response;
   const double T = time_constant / friction;
@@ -111,7 +112,7 @@ ChannelResponse run_channel(double target, int steps) {
 
 TEST(FluidController, HoldsAnEmptyChannelInDouble) {
   const ChannelResponse response = run_channel<double>(7e-4, 2000);
-  EXPECT_LT(response.overshoot, 0.04);  // the channel has faster modes than the one that the controller knows
+  EXPECT_LT(response.overshoot, 0.04);   // the channel has faster modes than the one that the controller knows
   EXPECT_LT(response.last_error, 1e-7);  // half a fixed-point unit a node is 1e-8 of the target
   // The force of the series, within the error of 10 nodes across (second order: 0.6 / 10^2).
   const double empty = 7e-4 / 6 / DevelopedFlow(12, 10).mean();

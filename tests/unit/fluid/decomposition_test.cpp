@@ -12,8 +12,8 @@ namespace {
 
 using testing::swirl;
 
-/// Copies into each block's halo, node by node, what the owner of that node holds, but only the directions that an exchange
-/// of `directions_out` in phases x, y, z carries: the five that cross the face. All else stays poisoned.
+/// Copies into each block's halo, node by node, what the owner of that node holds, but only the directions that an
+/// exchange of `directions_out` in phases x, y, z carries: the five that cross the face. All else stays poisoned.
 template <class Real>
 void exchange_by_hand(std::vector<Fluid<Real>>& blocks) {
   const Lattice& lattice = blocks.front().lattice;
@@ -25,7 +25,8 @@ void exchange_by_hand(std::vector<Fluid<Real>>& blocks) {
         for (int k = box.begin[2]; k < box.end[2]; ++k)
           for (int j = box.begin[1]; j < box.end[1]; ++j)
             for (int i = box.begin[0]; i < box.end[0]; ++i) {
-              // The neighbour's local coordinates: those along later axes are owned, those along earlier ones may be halo.
+              // The neighbour's local coordinates: those along later axes are owned, those along earlier ones may be
+              // halo.
               Int3 node{to.block.begin[0] + i, to.block.begin[1] + j, to.block.begin[2] + k};
               node[axis] = lattice.wrap(axis, node[axis]);
               if (!lattice.contains(axis, node[axis])) continue;
@@ -36,8 +37,8 @@ void exchange_by_hand(std::vector<Fluid<Real>>& blocks) {
                                                                   node[a] < from.block.begin[a] + from.block.size[a]
                                                             : from.block.begin[a] == to.block.begin[a]);
                 if (!is_neighbour) continue;
-                const std::ptrdiff_t source = from.f.layout.index(node[0] - from.block.begin[0], node[1] - from.block.begin[1],
-                                                                  node[2] - from.block.begin[2]);
+                const std::ptrdiff_t source = from.f.layout.index(
+                    node[0] - from.block.begin[0], node[1] - from.block.begin[1], node[2] - from.block.begin[2]);
                 for (const int q : directions_out(axis, 1 - side))
                   to.f.direction(q)[to.f.layout.index(i, j, k)] = from.f.direction(q)[source];
               }
@@ -65,7 +66,8 @@ void expect_same_bits_however_cut(const std::array<bool, 3>& periodic, const Col
       Fluid<Real>& fluid = blocks.emplace_back(lattice, part);
       Field<std::uint8_t>& flags = inside.emplace_back(part.size, 1);
       if (!periodic[2]) fluid.wall_velocity[2] = {Vec3(-0.02, 0.01, 0), Vec3(0.03, 0, 0)};
-      set_equilibrium(fluid, [](const Int3& n) { return Vec3(0.02 * swirl(n)); }, body_force);
+      set_equilibrium(
+          fluid, [](const Int3& n) { return Vec3(0.02 * swirl(n)); }, body_force);
       testing::for_each_node(part, 0, [&](int i, int j, int k) {
         const Int3 n{part.begin[0] + i, part.begin[1] + j, part.begin[2] + k};
         flags(i, j, k) = (n[0] / 5 + n[1] / 3 + n[2] / 4) % 2 == 0 ? 1 : 0;

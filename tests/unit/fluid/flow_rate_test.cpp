@@ -14,7 +14,8 @@ namespace {
 
 Fluid<double> swirling(double size) {
   Fluid<double> fluid({{21, 4, 3}, {true, true, true}}, {{100, 20, 30}, {21, 4, 3}});
-  set_equilibrium(fluid, [size](const Int3& n) { return Vec3(size * testing::swirl(n)); }, Vec3::Zero());
+  set_equilibrium(
+      fluid, [size](const Int3& n) { return Vec3(size * testing::swirl(n)); }, Vec3::Zero());
   return fluid;
 }
 

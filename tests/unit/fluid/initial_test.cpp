@@ -43,7 +43,8 @@ TEST(FluidDevelopedFlow, VanishesAtTheWallsAndSolvesPoissonsEquation) {
   EXPECT_NEAR(flow.velocity(4, 15) / flow.maximum(), 0, 1e-14);
   const double h = 0.01, y = 9.3, z = -4.2;
   const double laplacian = (flow.velocity(y + h, z) + flow.velocity(y - h, z) + flow.velocity(y, z + h) +
-                            flow.velocity(y, z - h) - 4 * flow.velocity(y, z)) / (h * h);
+                            flow.velocity(y, z - h) - 4 * flow.velocity(y, z)) /
+                           (h * h);
   EXPECT_NEAR(laplacian, -1, 1e-7);  // values of 100 rounded at 1e-14, over h^2 = 1e-4
 }
 

@@ -28,13 +28,27 @@ inline Square basis_matrix() {
 inline Square relaxation(const MrtRates<>& s) {
   Column rate;
   for (int k = 0; k < Q; ++k) switch (moment_basis[k].kind) {
-      case MomentKind::conserved: rate[k] = 0.77; break;  // whatever: conserved moments do not relax
-      case MomentKind::e: rate[k] = s.e; break;
-      case MomentKind::eps: rate[k] = s.eps; break;
-      case MomentKind::q: rate[k] = s.q; break;
-      case MomentKind::nu: rate[k] = s.nu; break;
-      case MomentKind::pi: rate[k] = s.pi; break;
-      case MomentKind::m: rate[k] = s.m; break;
+      case MomentKind::conserved:
+        rate[k] = 0.77;
+        break;  // whatever: conserved moments do not relax
+      case MomentKind::e:
+        rate[k] = s.e;
+        break;
+      case MomentKind::eps:
+        rate[k] = s.eps;
+        break;
+      case MomentKind::q:
+        rate[k] = s.q;
+        break;
+      case MomentKind::nu:
+        rate[k] = s.nu;
+        break;
+      case MomentKind::pi:
+        rate[k] = s.pi;
+        break;
+      case MomentKind::m:
+        rate[k] = s.m;
+        break;
     }
   const Square M = basis_matrix();
   return M.inverse() * rate.asDiagonal() * M;

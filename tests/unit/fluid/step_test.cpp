@@ -26,7 +26,8 @@ template <class Real>
 OneBlock<Real> busy_block(const Lattice& lattice, const Collision& collision) {
   OneBlock<Real> block(lattice, collision);
   block.body_force = Vec3(1e-4, 2e-5, -3e-5);
-  set_equilibrium(block.fluid, [](const Int3& n) { return Vec3(0.02 * swirl(n)); }, block.body_force);
+  set_equilibrium(
+      block.fluid, [](const Int3& n) { return Vec3(0.02 * swirl(n)); }, block.body_force);
   for (int k = 0; k < lattice.size[2]; ++k)
     for (int j = 0; j < lattice.size[1]; ++j)
       for (int i = 0; i < lattice.size[0]; ++i) {
@@ -81,9 +82,9 @@ TEST_P(FluidStep, AgreesWithThePlainImplementation) {
         for (int q = 0; q < Q; ++q) f[q] = w_q(q) + block.fluid.f.direction(q)[block.fluid.f.layout.index(i, j, k)];
         slow.f.push_back(f);
       }
-  const std::array<testing::Square, 2> R = is_mrt
-      ? std::array{testing::relaxation(odd_rates), testing::relaxation(other_rates)}
-      : std::array{testing::relaxation(trt_rates(1.0 / 6)), testing::relaxation(trt_rates(5.0 / 6))};
+  const std::array<testing::Square, 2> R =
+      is_mrt ? std::array{testing::relaxation(odd_rates), testing::relaxation(other_rates)}
+             : std::array{testing::relaxation(trt_rates(1.0 / 6)), testing::relaxation(trt_rates(5.0 / 6))};
   for (int n = 0; n < 12; ++n) {
     block.step();
     slow.step([&](const Int3& node) { return Vec3(block.body_force + local_force(node)); },
@@ -99,12 +100,12 @@ TEST_P(FluidStep, AgreesWithThePlainImplementation) {
   EXPECT_LT(largest, 2e-15);  // rounding of populations of size 0.3 in the plain one, over 12 steps
 }
 
-INSTANTIATE_TEST_SUITE_P(WallsAndLaws, FluidStep,
-                         ::testing::Combine(::testing::Values(std::array{true, true, true}, std::array{true, true, false},
-                                                              std::array{true, false, false},
-                                                              std::array{false, false, false},
-                                                              std::array{false, true, false}),
-                                            ::testing::Bool()));
+INSTANTIATE_TEST_SUITE_P(
+    WallsAndLaws, FluidStep,
+    ::testing::Combine(::testing::Values(std::array{true, true, true}, std::array{true, true, false},
+                                         std::array{true, false, false}, std::array{false, false, false},
+                                         std::array{false, true, false}),
+                       ::testing::Bool()));
 
 TEST(FluidStepVelocity, IncludesHalfOfAllForces) {
   OneBlock<double> block = busy_block<double>({{17, 3, 4}, {true, true, true}}, testing::one_trt(0.2));
@@ -145,7 +146,8 @@ double mass(const Fluid<Real>& fluid) {
   for (int q = 0; q < Q; ++q)
     for (int k = 0; k < fluid.block.size[2]; ++k)
       for (int j = 0; j < fluid.block.size[1]; ++j)
-        for (int i = 0; i < fluid.block.size[0]; ++i) sum += double(fluid.f.direction(q)[fluid.f.layout.index(i, j, k)]);
+        for (int i = 0; i < fluid.block.size[0]; ++i)
+          sum += double(fluid.f.direction(q)[fluid.f.layout.index(i, j, k)]);
   return sum;
 }
 
@@ -158,7 +160,8 @@ void expect_mass_is_kept(double tolerance_per_node) {
   EXPECT_NEAR((mass(block.fluid) - before) / (16 * 8 * 8), 0, tolerance_per_node);
 }
 
-// Populations of about 1e-2 round to 1e-18 (double) or 5e-10 (single): 400 random steps give 20 times, a bias 400 times that.
+// Populations of about 1e-2 round to 1e-18 (double) or 5e-10 (single): 400 random steps give 20 times, a bias 400 times
+// that.
 TEST(FluidStepMass, IsKeptBetweenMovingWallsInDouble) { expect_mass_is_kept<double>(4e-16); }
 TEST(FluidStepMass, IsKeptBetweenMovingWallsInSingle) { expect_mass_is_kept<float>(2e-7); }
 
@@ -224,7 +227,11 @@ TEST(FluidStepSymmetry, ShiftAlongAPeriodicAxisShiftsTheBits) {
   const auto shifted = [&](int by) {
     OneBlock<float> block(lattice, testing::two_trt(1.0 / 6, 5.0 / 6));
     set_equilibrium(
-        block.fluid, [&](const Int3& n) { return Vec3(0.02 * swirl({(n[0] + by) % 45, n[1], n[2]})); }, Vec3::Zero());
+        block.fluid,
+        [&](const Int3& n) {
+          return Vec3(0.02 * swirl({(n[0] + by) % 45, n[1], n[2]}));
+        },
+        Vec3::Zero());
     for (int k = 0; k < 4; ++k)
       for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 45; ++i) block.inside(i, j, k) = is_flagged({(i + by) % 45, j, k}) ? 1 : 0;
@@ -245,8 +252,10 @@ TEST(FluidStepPrecision, SingleFollowsDouble) {
   const Lattice lattice{{24, 8, 8}, {true, false, false}};
   OneBlock<double> a(lattice, testing::two_trt(1.0 / 6, 5.0 / 6));
   OneBlock<float> b(lattice, testing::two_trt(1.0 / 6, 5.0 / 6));
-  set_equilibrium(a.fluid, [](const Int3& n) { return Vec3(1e-3 * swirl(n)); }, Vec3::Zero());
-  set_equilibrium(b.fluid, [](const Int3& n) { return Vec3(1e-3 * swirl(n)); }, Vec3::Zero());
+  set_equilibrium(
+      a.fluid, [](const Int3& n) { return Vec3(1e-3 * swirl(n)); }, Vec3::Zero());
+  set_equilibrium(
+      b.fluid, [](const Int3& n) { return Vec3(1e-3 * swirl(n)); }, Vec3::Zero());
   a.run(200);
   b.run(200);
   // f - w is at most 5e-4 here; single rounds it to 3e-11, and the flow decays faster than rounding piles up.

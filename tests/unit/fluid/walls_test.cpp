@@ -15,7 +15,8 @@ using testing::swirl;
 
 TEST(FluidWalls, StandingOnesSendBackWhatArrives) {
   Fluid<double> fluid({{5, 4, 3}, {true, true, false}}, {{0, 0, 0}, {5, 4, 3}});
-  set_equilibrium(fluid, [](const Int3& n) { return Vec3(0.02 * swirl(n)); }, Vec3::Zero());
+  set_equilibrium(
+      fluid, [](const Int3& n) { return Vec3(0.02 * swirl(n)); }, Vec3::Zero());
   fill_halos(fluid);
   for (const int q : directions_out(2, 1)) {  // upward from below the lower wall
     const Int3 beyond{2 - c_q[q][0], 1 - c_q[q][1], -1};
@@ -34,7 +35,8 @@ TEST(FluidWalls, RestStaysExactlyAtRest) {
 
 TEST(FluidWalls, ClosedBoxBringsFluidToRest) {
   testing::OneBlock<double> block({{6, 6, 6}, {false, false, false}}, testing::one_trt(1.0 / 6));
-  set_equilibrium(block.fluid, [](const Int3& n) { return Vec3(0.02 * swirl(n)); }, Vec3::Zero());
+  set_equilibrium(
+      block.fluid, [](const Int3& n) { return Vec3(0.02 * swirl(n)); }, Vec3::Zero());
   block.run(2000);  // the slowest mode decays in 36 / (3 pi^2 / 6) = 7 steps
   for (int i = 0; i < 6; ++i)
     for (int a = 0; a < 3; ++a) EXPECT_NEAR(block.u(a, i, 2, 3), 0, 1e-16);

@@ -258,6 +258,20 @@ TEST(Tracker, EqualsTheSearchOfAllVerticesForEachNode) {
   EXPECT_EQ(differences(flags, slow, whole(box)), 0);
 }
 
+TEST(Tracker, ObeysTheLowerIndexOfTwoVerticesEquallyClose) {
+  const Surface outwards = posed(sphere(3, 6), {{0, 0, 1}, 0.3, {20.2, 18.4, 16.6}});
+  Surface inwards = outwards;  // the same vertices, each triangle turned around: says the opposite everywhere
+  std::swap(inwards.triangles.b, inwards.triangles.c);
+  const auto tracked = [&](const std::vector<Surface>& surfaces) {
+    const Cells cells = cells_of(surfaces);
+    Flags flags = flags_on(whole(box));
+    Tracker(Tracking::vertex_normals, box, whole(box), cells).update(cells, flags);
+    return flags;
+  };
+  EXPECT_EQ(differences(tracked({outwards, inwards}), tracked({outwards}), whole(box)), 0);
+  EXPECT_EQ(differences(tracked({inwards, outwards}), tracked({inwards}), whole(box)), 0);
+}
+
 TEST(Tracker, RefusesAMembraneThatIsNotFinite) {
   Cells cells = cells_of({posed(sphere(2, 5), {{0, 0, 1}, 0, {20, 18, 16}})});
   Tracker tracker(Tracking::vertex_normals, box, whole(box), cells);

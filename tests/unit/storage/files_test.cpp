@@ -53,7 +53,9 @@ TEST_F(Files, AtAnyMomentOfDeathTheOldOrTheNewContentIsThere) {
     }
     const std::string content = content_of(path);
     EXPECT_TRUE(content == "old" || content == "new") << moment << ": " << content;
-    if (finished) EXPECT_EQ(content, "new");
+    if (finished) {
+      EXPECT_EQ(content, "new");
+    }
   }
 }
 

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <xxhash.h>
 
+#include <bit>
+#include <cstdlib>
 #include <limits>
 
 #include "base/error.hpp"
@@ -37,7 +39,7 @@ class Samples : public ::testing::Test {
     });
   }
   void add(SampleLog& to, std::int64_t from, std::int64_t end) {
-    for (std::int64_t step = from; step < end; ++step) to.append(std::vector{row(step)});
+    for (std::int64_t step = from; step < end; ++step) to.append(std::vector<SampleRow>{row(step)});
   }
 };
 
@@ -57,14 +59,15 @@ TEST_F(Samples, LineIsAsTheContractSays) {
 TEST_F(Samples, NumbersReadBackToTheSameDouble) {
   for (const double value : {1.0 / 3.0, 1e-300, 5e-324, -0.0, 1e22, 123456789.123456789}) {
     const std::string line = format_sample({std::int64_t{0}, value});
-    EXPECT_EQ(std::stod(line.substr(2)), value) << line;
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(std::strtod(line.c_str() + 2, nullptr)), std::bit_cast<std::uint64_t>(value))
+        << line;
   }
 }
 
 TEST_F(Samples, BatchIsOneWrite) {
   log.start();
   const int before = files.calls;
-  log.append(std::vector{row(1, 0), row(1, 1), row(2, 0)});
+  log.append(std::vector<SampleRow>{row(1, 0), row(1, 1), row(2, 0)});
   EXPECT_EQ(files.calls, before + 1);
 }
 
@@ -168,7 +171,7 @@ TEST_F(Samples, SupersededSolverAppendsNothing) {
   const SampleLogPosition counted = log.sync();
   const std::string before = content_of(path);
   superseded = true;
-  EXPECT_THROW(log.append(std::vector{row(3)}), Error);
+  EXPECT_THROW(log.append(std::vector<SampleRow>{row(3)}), Error);
   EXPECT_THROW(log.cut_back(counted), Error);
   EXPECT_THROW(log.start(), Error);
   EXPECT_EQ(content_of(path), before);
@@ -179,7 +182,7 @@ TEST_F(Samples, AnotherWriterIsNoticed) {
   add(log, 0, 3);
   set_content(path, content_of(path) + "x");
   try {
-    log.append(std::vector{row(3)});
+    log.append(std::vector<SampleRow>{row(3)});
     FAIL() << "was written";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), Exit::io);
@@ -193,7 +196,7 @@ TEST_F(Samples, ValueThatIsNotFiniteIsRefusedByName) {
   SampleRow bad = row(7);
   bad[3] = std::numeric_limits<double>::quiet_NaN();
   try {
-    log.append(std::vector{row(6), bad});
+    log.append(std::vector<SampleRow>{row(6), bad});
     FAIL() << "was written";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), Exit::physics);
@@ -204,14 +207,14 @@ TEST_F(Samples, ValueThatIsNotFiniteIsRefusedByName) {
 
 TEST_F(Samples, StepAndCellMustIncreaseAlsoAcrossAResume) {
   log.start();
-  log.append(std::vector{row(5, 0), row(5, 1)});
-  EXPECT_THROW(log.append(std::vector{row(5, 1)}), std::logic_error);
-  EXPECT_THROW(log.append(std::vector{row(4, 7)}), std::logic_error);
+  log.append(std::vector<SampleRow>{row(5, 0), row(5, 1)});
+  EXPECT_THROW(log.append(std::vector<SampleRow>{row(5, 1)}), std::logic_error);
+  EXPECT_THROW(log.append(std::vector<SampleRow>{row(4, 7)}), std::logic_error);
   const SampleLogPosition counted = log.sync();
   SampleLog again = make();
   again.cut_back(counted);
-  EXPECT_THROW(again.append(std::vector{row(5, 1)}), std::logic_error);
-  again.append(std::vector{row(5, 2)});
+  EXPECT_THROW(again.append(std::vector<SampleRow>{row(5, 1)}), std::logic_error);
+  again.append(std::vector<SampleRow>{row(5, 2)});
 }
 
 TEST_F(Samples, FullDiskIsAnIoError) {

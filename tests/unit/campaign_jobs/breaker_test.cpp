@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The circuit breaker.
+#include "jobs/breaker.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rouleau::campaign {
+namespace {
+
+TEST(CampaignBreaker, TripsAtLikeFailuresOfDifferentPoints) {
+  Breaker breaker(3);
+  breaker.note_failure("a", "step 12: velocity is not finite at node (1, 2, 3)");
+  breaker.note_failure("b", "step 4711: velocity is not finite at node (10, 20, 30)");
+  EXPECT_FALSE(breaker.has_tripped());
+  breaker.note_failure("c", "step 9: velocity is not finite at node (7, 7, 7)");
+  EXPECT_TRUE(breaker.has_tripped());
+  EXPECT_EQ(breaker.reason(), "step 9: velocity is not finite at node (7, 7, 7)");
+}
+
+TEST(CampaignBreaker, OnePointFailingAgainIsNotACommonCause) {
+  Breaker breaker(2);
+  for (int i = 0; i < 5; ++i) breaker.note_failure("a", "crashed");
+  EXPECT_FALSE(breaker.has_tripped());
+}
+
+TEST(CampaignBreaker, AnotherReasonOrProgressBeginsAnew) {
+  Breaker breaker(2);
+  breaker.note_failure("a", "disk full");
+  breaker.note_failure("b", "segmentation fault");
+  EXPECT_FALSE(breaker.has_tripped());
+  breaker.note_progress();
+  breaker.note_failure("c", "segmentation fault");
+  EXPECT_FALSE(breaker.has_tripped());
+  breaker.note_failure("d", "segmentation fault");
+  EXPECT_TRUE(breaker.has_tripped());
+}
+
+TEST(CampaignBreaker, ZeroTurnsItOff) {
+  Breaker breaker(0);
+  breaker.note_failure("a", "x");
+  EXPECT_FALSE(breaker.has_tripped());
+}
+
+}  // namespace
+}  // namespace rouleau::campaign
