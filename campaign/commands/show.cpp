@@ -13,14 +13,18 @@ namespace rouleau::campaign {
 
 namespace {
 
-/// One row of a table as names and values, under a heading.
+/// One row of a table as names and values, under a heading that says which one it is.
 void add_group(Table& table, const Rows& rows, const std::string& group, const std::string& numbered_by) {
+  const auto names_the_point = [&](const std::string& column) {
+    return group != "point" && (column == "point" || column == "ordinal" || column == "key");
+  };
   for (const std::vector<Value>& row : rows.rows) {
     std::string heading = group;
     for (std::size_t c = 0; c < row.size(); ++c)
       if (rows.columns[c] == numbered_by) heading = fmt::format("{} {}", group, exact_text(row[c]));
     for (std::size_t c = 0; c < row.size(); ++c)
-      if (rows.columns[c] != numbered_by) table.rows.push_back({heading, rows.columns[c], row[c]});
+      if (!names_the_point(rows.columns[c]) && rows.columns[c] != numbered_by)
+        table.rows.push_back({heading, rows.columns[c], row[c]});
   }
 }
 

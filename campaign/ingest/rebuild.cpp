@@ -147,7 +147,10 @@ Rebuilt rebuild_store(const std::filesystem::path& campaign_directory, const std
           fmt::format("{}: ordinal {} is taken by another point; left aside", directory.string(), point.ordinal));
       continue;
     }
-    store.add_point(row_of(point), parameter_rows_of(point), "found in the campaign's directory by a rebuild");
+    // run.ini is the first thing that a point has, and is hardly ever written again.
+    const double since_unix_s = modified_unix_s(directory / "run.ini");
+    store.add_point(row_of(point), parameter_rows_of(point), "found in the campaign's directory by a rebuild",
+                    since_unix_s > 0 ? std::optional(since_unix_s) : std::nullopt);
     Replay replay(store, point, directory, policy);
     rebuilt.attempts += replay.attempts(life_of, rebuilt.warnings);
     replay.decisions();

@@ -27,7 +27,7 @@ Json json_of(const ResultRow& result) {
           {"samples", result.samples},
           {"d_mean_um", json_of(result.d_mean_um)},
           {"d_error_um", json_of(result.d_error_um)},
-          {"d_previous_um", json_of(result.d_previous_um)},
+          {"d_change_um", json_of(result.d_change_um)},
           {"d_amplitude_um", json_of(result.d_amplitude_um)},
           {"d_period_s", json_of(result.d_period_s)},
           {"asphericity_mean", json_of(result.asphericity_mean)},

@@ -55,19 +55,45 @@ bool equally_spaced(std::span<const SampleRow> samples, double after_s) {
 
 void add_note(ResultRow& result, const std::string& note) { result.note += (result.note.empty() ? "" : "; ") + note; }
 
-void classify(ResultRow& result, const Analysis& settings, bool covered, bool finite) {
+/// How d moves: over spans of `length_s`, the last one against the one before.
+struct Drift {
+  double length_s = 0;
+  bool covered = false;  ///< the series reaches back over both spans
+  bool finite = false;
+  double change_um = 0;
+};
+
+Drift drift_of(std::span<const SampleRow> samples, double window_s, std::optional<double> period_s) {
+  Drift drift;
+  drift.length_s = window_s;
+  // A twentieth of a period too short is near enough: 0.2 s need not become two periods of 0.199 s.
+  if (period_s) drift.length_s = *period_s * std::max(1.0, std::ceil(window_s / *period_s - 0.05));
+  const double end = samples.back().time_s;
+  const double after = end - drift.length_s + tolerance(drift.length_s);
+  const double after_previous = end - 2 * drift.length_s + tolerance(drift.length_s);
+  const Series last = series_of(samples, &SampleRow::d_um, after, end);
+  const Series previous = series_of(samples, &SampleRow::d_um, after_previous, after);
+  drift.covered = samples.front().time_s <= after_previous && !last.value.empty() && !previous.value.empty();
+  drift.finite = last.complete && previous.complete;
+  if (drift.covered && drift.finite)
+    drift.change_um = block_average(last.value).mean - block_average(previous.value).mean;
+  return drift;
+}
+
+void classify(ResultRow& result, const Analysis& settings, const Drift& drift) {
   result.phase = "undecided";
-  if (!finite) {
+  if (!drift.finite || !result.d_mean_um) {
     result.phase_reason = "a displacement in the window or the window before is not finite";
     return;
   }
-  if (!covered || !result.d_mean_um || !result.d_previous_um) {
-    result.phase_reason =
-        fmt::format("the series does not cover two windows of {} s, so it cannot be called settled", settings.window_s);
+  if (!drift.covered) {
+    result.phase_reason = fmt::format(
+        "the series does not cover two windows of {:.4g} s, so it cannot be called settled", drift.length_s);
     return;
   }
+  result.d_change_um = drift.change_um;
   const double d = *result.d_mean_um;
-  const double change = d - *result.d_previous_um;
+  const double change = drift.change_um;
   if (d <= settings.croissant_d_um) {
     const bool rising = change > settings.drift_um;
     if (!rising) result.phase = "croissant";
@@ -95,9 +121,8 @@ ResultRow analyse_cell(std::string_view point, std::span<const SampleRow> sample
   result.step = samples.back().step;
 
   const double window = settings.window_s, end = result.time_s, begin = samples.front().time_s;
-  const double after = end - window + tolerance(window), after_previous = end - 2 * window + tolerance(window);
+  const double after = end - window + tolerance(window);
   const Series d = series_of(samples, &SampleRow::d_um, after, end);
-  const Series previous = series_of(samples, &SampleRow::d_um, after_previous, after);
   const Series asphericity = series_of(samples, &SampleRow::asphericity, after, end);
   result.samples = std::count_if(samples.begin(), samples.end(), [&](const SampleRow& s) { return s.time_s > after; });
   const auto first = std::find_if(samples.begin(), samples.end(), [&](const SampleRow& s) { return s.time_s > after; });
@@ -118,7 +143,6 @@ ResultRow analyse_cell(std::string_view point, std::span<const SampleRow> sample
   } else {
     add_note(result, "a displacement in the window is not finite");
   }
-  if (previous.complete && !previous.value.empty()) result.d_previous_um = block_average(previous.value).mean;
   if (asphericity.complete && !asphericity.value.empty()) {
     const BlockAverage average = block_average(asphericity.value);
     result.asphericity_mean = average.mean;
@@ -134,7 +158,7 @@ ResultRow analyse_cell(std::string_view point, std::span<const SampleRow> sample
     result.d_amplitude_um = oscillation.amplitude;
     result.d_period_s = oscillation.period;
   }
-  classify(result, settings, begin <= after_previous, d.complete && previous.complete);
+  classify(result, settings, drift_of(samples, window, result.d_period_s));
   return result;
 }
 

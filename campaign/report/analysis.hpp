@@ -22,12 +22,13 @@ namespace rouleau::campaign {
 ///
 /// Oscillation. d in the last oscillation_window_s, at most the second half of the run, at least the window.
 ///
-/// Class, of the mean displacement d in the window and d' in the window before:
-///     croissant   d <= croissant_d_um  and  d - d' <= drift_um    (centred, and not on its way out)
-///     slipper     d >= slipper_d_um    and  d' - d <= drift_um    (off-centre, and not on its way in)
+/// Class, of the mean displacement d in the window and its change c from the window before:
+///     croissant   d <= croissant_d_um  and   c <= drift_um    (centred, and not on its way out)
+///     slipper     d >= slipper_d_um    and  -c <= drift_um    (off-centre, and not on its way in)
 ///     undecided   all else: between the thresholds, still drifting, a series that does not cover both windows, or a
 ///     measure
 ///                 in them that is not finite. `phase_reason` gives the numbers.
+/// For c, both windows are lengthened to whole periods when d oscillates: the phase of a wave is no drift.
 /// point     goes into the rows
 /// samples   in the order of (step, cell)
 std::vector<ResultRow> analyse(std::string_view point, std::span<const SampleRow> samples, const Analysis& settings);

@@ -28,7 +28,7 @@ const std::vector<Column>& fixed_columns() {
       {"note", "r.note", text, "what limits the figures"},
       {"d_mean_um", "r.d_mean_um", number, "mean displacement over the window, um"},
       {"d_error_um", "r.d_error_um", number, "its standard error, um"},
-      {"d_previous_um", "r.d_previous_um", number, "mean displacement over the window before, um"},
+      {"d_change_um", "r.d_change_um", number, "change of the mean from the window before, um"},
       {"d_amplitude_um", "r.d_amplitude_um", number, "amplitude of its oscillation, um"},
       {"d_period_s", "r.d_period_s", number, "period of its oscillation, s"},
       {"asphericity_mean", "r.asphericity_mean", number, "mean asphericity over the window"},

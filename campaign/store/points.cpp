@@ -93,7 +93,8 @@ int Store::next_ordinal() const {
   return static_cast<int>(database_.select_integer("SELECT coalesce(max(ordinal), 0) + 1 FROM point"));
 }
 
-void Store::add_point(const PointRow& point, const std::vector<ParameterRow>& parameters, std::string_view evidence) {
+void Store::add_point(const PointRow& point, const std::vector<ParameterRow>& parameters, std::string_view evidence,
+                      std::optional<double> unix_s) {
   Transaction transaction = begin();
   database_
       .prepare(
@@ -103,7 +104,8 @@ void Store::add_point(const PointRow& point, const std::vector<ParameterRow>& pa
             point.retry_at_unix_s, point.end_step, point.end_time_s)
       .run();
   put_parameters(database_, point.ordinal, parameters);
-  add_event({0, now_unix_s(), point.key, std::nullopt, std::nullopt, point.state, std::string(evidence)});
+  add_event(
+      {0, unix_s.value_or(now_unix_s()), point.key, std::nullopt, std::nullopt, point.state, std::string(evidence)});
   transaction.commit();
 }
 

@@ -9,11 +9,11 @@ void insert_result(const Database& database, const std::string& table, const Res
   database
       .prepare(
           "INSERT OR REPLACE INTO " + table +
-          " (point, cell, window_s, window_start_s, time_s, samples, step, d_mean_um, d_error_um, d_previous_um, "
+          " (point, cell, window_s, window_start_s, time_s, samples, step, d_mean_um, d_error_um, d_change_um, "
           "d_amplitude_um, d_period_s, asphericity_mean, asphericity_error, class, class_reason, note) "
           "VALUES ((SELECT ordinal FROM main.point WHERE key = ?), ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
       .bind(r.point, r.cell, r.window_s, r.window_start_s, r.time_s, r.samples, r.step, r.d_mean_um, r.d_error_um,
-            r.d_previous_um, r.d_amplitude_um, r.d_period_s, r.asphericity_mean, r.asphericity_error, r.phase,
+            r.d_change_um, r.d_amplitude_um, r.d_period_s, r.asphericity_mean, r.asphericity_error, r.phase,
             r.phase_reason, r.note)
       .run();
 }
@@ -23,7 +23,7 @@ void insert_result(const Database& database, const std::string& table, const Res
 std::vector<ResultRow> Store::results(std::string_view point) const {
   Statement statement = database_.prepare(
       "SELECT p.key, r.cell, r.window_s, r.window_start_s, r.time_s, r.samples, r.step, r.d_mean_um, r.d_error_um, "
-      "r.d_previous_um, r.d_amplitude_um, r.d_period_s, r.asphericity_mean, r.asphericity_error, r.class, "
+      "r.d_change_um, r.d_amplitude_um, r.d_period_s, r.asphericity_mean, r.asphericity_error, r.class, "
       "r.class_reason, "
       "r.note FROM result r JOIN point p ON p.ordinal = r.point WHERE p.key = ? ORDER BY r.cell");
   statement.bind(point);
@@ -39,7 +39,7 @@ std::vector<ResultRow> Store::results(std::string_view point) const {
     r.step = statement.integer(6);
     r.d_mean_um = statement.optional_real(7);
     r.d_error_um = statement.optional_real(8);
-    r.d_previous_um = statement.optional_real(9);
+    r.d_change_um = statement.optional_real(9);
     r.d_amplitude_um = statement.optional_real(10);
     r.d_period_s = statement.optional_real(11);
     r.asphericity_mean = statement.optional_real(12);

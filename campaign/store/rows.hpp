@@ -116,7 +116,7 @@ struct ResultRow {
   double window_start_s = 0, time_s = 0;  ///< first and last time of the samples averaged over
   std::int64_t samples = 0;               ///< in the window
   std::int64_t step = 0;                  ///< of the last sample
-  std::optional<double> d_mean_um, d_error_um, d_previous_um;
+  std::optional<double> d_mean_um, d_error_um, d_change_um;
   std::optional<double> d_amplitude_um, d_period_s;
   std::optional<double> asphericity_mean, asphericity_error;
   std::string phase;         ///< croissant, slipper or undecided

@@ -46,8 +46,10 @@ class Store {
   [[nodiscard]] std::optional<PointRow> point(std::string_view key) const;
   [[nodiscard]] std::vector<ParameterRow> parameters(std::string_view key) const;
   [[nodiscard]] int next_ordinal() const;
-  /// Adds a point with its parameters and the event of its creation. throws Error if the key is there already.
-  void add_point(const PointRow& point, const std::vector<ParameterRow>& parameters, std::string_view evidence);
+  /// Adds a point with its parameters and the event of its creation (now, or at unix_s). throws Error if the key is
+  /// there already.
+  void add_point(const PointRow& point, const std::vector<ParameterRow>& parameters, std::string_view evidence,
+                 std::optional<double> unix_s = std::nullopt);
   /// Rewrites what a changed study may change: in_study, end_step, end_time_s and the parameters. Not the state.
   void update_point(const PointRow& point, const std::vector<ParameterRow>& parameters);
   void set_retry(std::string_view key, int retries_used, double retry_at_unix_s);

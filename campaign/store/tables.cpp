@@ -105,7 +105,7 @@ CREATE TABLE result (
   step               INTEGER NOT NULL CHECK (typeof(step) = 'integer'),
   d_mean_um          REAL CHECK (typeof(d_mean_um) IN ('real', 'null')),
   d_error_um         REAL CHECK (typeof(d_error_um) IN ('real', 'null')),
-  d_previous_um      REAL CHECK (typeof(d_previous_um) IN ('real', 'null')),
+  d_change_um      REAL CHECK (typeof(d_change_um) IN ('real', 'null')),
   d_amplitude_um     REAL CHECK (typeof(d_amplitude_um) IN ('real', 'null')),
   d_period_s         REAL CHECK (typeof(d_period_s) IN ('real', 'null')),
   asphericity_mean   REAL CHECK (typeof(asphericity_mean) IN ('real', 'null')),

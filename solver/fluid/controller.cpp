@@ -34,20 +34,25 @@ MeanVelocityController::MeanVelocityController(double target, double time_consta
 
 double MeanVelocityController::largest_force() const { return force_reserve * std::abs(target_) / time_constant_; }
 
+double MeanVelocityController::wanted_force(double integral, double error) const {
+  return integral + (2 / closed_loop_time_ - 1 / time_constant_) * error;
+}
+
+double MeanVelocityController::limited(double force) const {
+  return std::clamp(force, -largest_force(), largest_force());
+}
+
 ControllerState MeanVelocityController::start(double mean_velocity) const {
-  ControllerState state;
-  state.integral = target_ / time_constant_ - (target_ - mean_velocity) / closed_loop_time_;
-  update(state, mean_velocity);
-  return state;
+  const double error = target_ - mean_velocity;
+  const double integral = target_ / time_constant_ - error / closed_loop_time_;
+  return {integral, limited(wanted_force(integral, error))};
 }
 
 void MeanVelocityController::update(ControllerState& state, double mean_velocity) const {
-  const double error = target_ - mean_velocity;
-  const double K_p = 2 / closed_loop_time_ - 1 / time_constant_, K_i = 1 / (closed_loop_time_ * closed_loop_time_);
-  const double wanted = state.integral + K_p * error;
-  state.force = std::clamp(wanted, -largest_force(), largest_force());
+  const double error = target_ - mean_velocity, wanted = wanted_force(state.integral, error);
+  state.force = limited(wanted);
   const bool winds_up = state.force != wanted && (wanted > 0) == (error > 0);
-  if (!winds_up) state.integral += K_i * interval_ * error;
+  if (!winds_up) state.integral += interval_ * error / (closed_loop_time_ * closed_loop_time_);
 }
 
 }  // namespace rouleau

@@ -21,9 +21,10 @@ class MeanVelocityController {
   /// throws Error(bad_input) unless target is finite and not zero, T > 0, interval >= 1
   MeanVelocityController(double target, double time_constant, int interval);
 
-  /// State for a flow that starts with this mean velocity.
+  /// State for a flow that starts with this mean velocity: its force belongs into the initial populations.
   [[nodiscard]] ControllerState start(double mean_velocity) const;
-  /// Sets the force for the next `interval` steps from the mean velocity of now.
+  /// Sets the force of the next `interval` steps from the mean velocity of now. Call it before steps 0, interval,
+  /// 2 interval ...; at step 0 it finds the force of `start` again.
   void update(ControllerState& state, double mean_velocity) const;
 
   [[nodiscard]] int interval() const { return interval_; }
@@ -31,6 +32,9 @@ class MeanVelocityController {
   [[nodiscard]] double largest_force() const;
 
  private:
+  [[nodiscard]] double wanted_force(double integral, double error) const;
+  [[nodiscard]] double limited(double force) const;
+
   double target_, time_constant_, closed_loop_time_;
   int interval_;
 };

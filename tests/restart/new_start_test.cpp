@@ -37,13 +37,13 @@ double last_sample(const SmallRun& run, const std::string& name) {
 }
 
 Changes from_checkpoint(const SmallRun& source) {
-  return {{"cell.shape", "checkpoint"}, {"cell.mesh_file", source.path("checkpoints/000000000600.h5").string()}};
+  return {{"cell.shape", "checkpoint"}, {"cell.mesh_file", source.path("checkpoints/000000002000.h5").string()}};
 }
 
 class NewStart : public ::testing::Test {
  protected:
-  NewStart() : source_(Changes{{"flow.mean_velocity_mm_per_s", "6"}}) {
-    source_.set_steps(600);
+  NewStart() : source_(Changes{{"flow.mean_velocity_mm_per_s", "3"}}) {
+    source_.set_steps(2000);
     source_.finish();
   }
   SmallRun source_;
@@ -57,6 +57,7 @@ TEST_F(NewStart, KeepsTheDeformedShapeOnAFinerLattice) {
   changes["channel.length_x_um"] = "20";
   changes["cell.position_x_um"] = "10";
   changes["cell.rotation_angle_deg"] = "0";
+  changes["output.sample_interval_steps"] = "40";
   changes["cell.subdivisions"] = "";
   SmallRun next(changes);
   next.finish(2);
@@ -69,7 +70,7 @@ TEST_F(NewStart, KeepsTheDeformedShapeOnAFinerLattice) {
 }
 
 TEST_F(NewStart, DamagedSourceIsRefused) {
-  const auto file = source_.path("checkpoints/000000000600.h5");
+  const auto file = source_.path("checkpoints/000000002000.h5");
   std::string bytes = content_of(file);
   bytes.resize(bytes.size() - 1000);
   set_content(file, bytes);

@@ -76,9 +76,9 @@ class WrittenCampaign {
     ::rouleau::testing::set_content(folder / "owner", fmt::format("token{}\n", number));
     ::rouleau::testing::set_content(
         folder / "process.json",
-        fmt::format(R"({{"contract": 1, "host": "n1", "pid": 4711, "start_ticks": 99, "boot_id": "b", "ranks": 2,
+        fmt::format(R"({{"contract": 1, "host": "{}", "pid": 4711, "start_ticks": 99, "boot_id": "b", "ranks": 2,
                         "checkpoint_step": {}, "started_unix_s": {}}})",
-                    checkpoint_step, 1.7e9 + 1000 * number));
+                    host, checkpoint_step, 1.7e9 + 1000 * number));
   }
 
   void end_attempt(const std::string& key, int number, int code, std::int64_t start_step, std::int64_t step) const {
@@ -90,6 +90,8 @@ class WrittenCampaign {
                         "git": "abc", "finished_unix_s": {}}})",
                     code, step, start_step, 1.7e9 + 1000 * number + 500));
   }
+
+  std::string host = "n1";  ///< where attempts are said to run
 
  private:
   ::rouleau::testing::TemporaryDirectory directory_;

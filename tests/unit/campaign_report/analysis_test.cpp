@@ -99,6 +99,15 @@ TEST(Analysis, SeriesShorterThanTheWindowSaysSo) {
   EXPECT_THAT(result_of(series(0.1, slipper)).note, HasSubstr("0.1 s of the window of 0.2 s"));
 }
 
+TEST(Analysis, PhaseOfAWaveIsNotTakenForDrift) {
+  Analysis analysis;
+  analysis.window_s = 0.13;  // the means of such windows differ by up to 0.2 um
+  for (int shift = 0; shift < 20; ++shift) {
+    const auto shifted = [&](double t) { return slipper(t + 0.01 * shift); };
+    EXPECT_EQ(result_of(series(2.0, shifted), analysis).phase, "slipper") << shift;
+  }
+}
+
 TEST(Analysis, ThresholdsAreParameters) {
   Analysis analysis;
   analysis.croissant_d_um = 0.45;

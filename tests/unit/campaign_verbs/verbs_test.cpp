@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "../campaign_ingest/written_campaign.hpp"
+#include "executor/process.hpp"
 
 namespace rouleau::campaign {
 namespace {
@@ -29,6 +30,7 @@ class VerbsTest : public ::testing::Test {
  protected:
   /// λ = 1 is done, λ = 5 crashed in its first attempt, λ = 9 waits. The database is made by `rebuild`.
   VerbsTest() {
+    campaign_.host = host_name();  // and of another boot: their processes are known to be gone
     for (const int lambda : {1, 5, 9}) campaign_.add_point(lambda);
     for (const char* key : {"000000abc001", "000000abc005"}) {
       campaign_.add_attempt(key, 1);

@@ -24,9 +24,9 @@ Response run_plant(const MeanVelocityController& controller, double u, double ti
   Response response;
   const double T = time_constant / friction;
   for (int n = 1; n <= updates; ++n) {
+    controller.update(state, u);
     const double steady = state.force * T;
     u = steady + (u - steady) * std::exp(-controller.interval() / T);
-    controller.update(state, u);
     response.largest = std::max(response.largest, u);
     if (std::abs(u - 1e-3) > 1e-5) response.settled_after = n * controller.interval();
   }
@@ -47,6 +47,14 @@ TEST(FluidController, LeavesDevelopedFlowAlone) {
   ControllerState state = controller.start(1e-3);
   for (int n = 0; n < 100; ++n) controller.update(state, 1e-3);
   EXPECT_DOUBLE_EQ(state.force, 1e-3 / 500);
+}
+
+TEST(FluidController, FirstUpdateFindsTheForceOfTheStart) {
+  const MeanVelocityController controller(1e-3, 500, 10);
+  const ControllerState start = controller.start(3e-4);
+  ControllerState state = start;
+  controller.update(state, 3e-4);
+  EXPECT_EQ(state.force, start.force);
 }
 
 TEST(FluidController, MakesUpForTheFrictionOfACell) {
@@ -97,12 +105,11 @@ ChannelResponse run_channel(double target, int steps) {
   ControllerState state = controller.start(0);
   set_uniform(block.fluid, Vec3::Zero(), Vec3(state.force, 0, 0));
   ChannelResponse response;
-  for (int n = 1; n <= steps; ++n) {
+  for (int n = 0; n < steps; ++n) {
+    const double mean = mean_velocity(momentum_fixed_point(block.fluid)[0], lattice.nodes(), state.force);
+    if (n % controller.interval() == 0) controller.update(state, mean);
     block.body_force[0] = state.force;
     block.step();
-    if (n % controller.interval() != 0) continue;
-    const double mean = mean_velocity(momentum_fixed_point(block.fluid)[0], lattice.nodes(), state.force);
-    controller.update(state, mean);
     response.overshoot = std::max(response.overshoot, mean / target - 1);
     response.last_error = std::abs(mean / target - 1);
     response.last_force = state.force;

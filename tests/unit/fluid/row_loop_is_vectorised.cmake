@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Fails unless g++ vectorises every instance of the fluid's row loop at the full width of the instruction set it compiles for.
+# Fails unless g++ vectorises every instance of the fluid's row loop at the full width of its instruction set.
 #   cmake -D COMPILER=g++ -D SOURCE=collide.cpp -D HEADER=row.hpp -D LOOPS=32 -P this -- FLAG...
 set(flags)
 set(after_dashes FALSE)

@@ -64,5 +64,14 @@ TEST(MembraneAllocation, NothingIsAllocatedInAStep) {
   EXPECT_GT(before, 0);  // the counter counts
 }
 
+TEST(MembraneAllocation, ARunWithoutCellsHasNothingToDo) {
+  Cells cells = assemble({});
+  MembraneForces forces(cells);
+  forces.compute(cells, {.kappa_S = 1, .kappa_A = 100, .kappa_B = 1});
+  EXPECT_EQ(forces.energy(cells, {.kappa_S = 1, .kappa_A = 100, .kappa_B = 1}).bending, 0);
+  EXPECT_EQ(VolumeShift(cells).restore(cells), 0);
+  EXPECT_FALSE(MeshHealth(cells).find_fault(cells).has_value());
+}
+
 }  // namespace
 }  // namespace rouleau

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `rouleau run` and `rouleau sync` without interruption: ends, retries, limits.
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "executor/cores.hpp"
+#include "support/campaign_program.hpp"
+
+namespace rouleau::campaign {
+namespace {
+
+using rouleau::testing::CampaignProgram;
+using rouleau::testing::content_of;
+using rouleau::testing::eventually;
+using rouleau::testing::set_content;
+using ::testing::HasSubstr;
+
+TEST(CampaignRun, FinishesAllPointsAndTheirResults) {
+  const CampaignProgram program;
+  program.write_study("fluid.lambda = 1, 4, 6", CampaignProgram::execution());
+  ASSERT_EQ(program.init().status, 0);
+  const auto capture = program.run();
+  ASSERT_EQ(capture.status, 0) << capture.err;
+  EXPECT_EQ(capture.out, "") << "messages belong on stderr";
+  const Store store = program.store();
+  for (const PointRow& point : store.points()) {
+    EXPECT_EQ(point.state, State::done);
+    EXPECT_EQ(store.samples(point.key).size(), 11U);
+    EXPECT_EQ(store.results(point.key).size(), 1U);
+    EXPECT_TRUE(std::filesystem::exists(program.campaign() / "points" / point.key / "result.json"));
+    const std::vector<AttemptRow> attempts = store.attempts(point.key);
+    ASSERT_EQ(attempts.size(), 1U);
+    EXPECT_EQ(attempts[0].state, AttemptState::ended);
+    EXPECT_EQ(attempts[0].exit_code, 0);
+  }
+  EXPECT_TRUE(program.jobs().empty());
+}
+
+TEST(CampaignRun, OfAFinishedCampaignDoesNothing) {
+  const CampaignProgram program;
+  program.write_study("fluid.lambda = 1");
+  ASSERT_EQ(program.init().status, 0);
+  ASSERT_EQ(program.run().status, 0);
+  ASSERT_EQ(program.run().status, 0);
+  EXPECT_EQ(program.store().attempts(program.point(1).key).size(), 1U);
+}
+
+TEST(CampaignRun, CrashedJobContinuesFromItsCheckpoint) {
+  const CampaignProgram program;
+  program.write_study("fluid.lambda = 5", CampaignProgram::execution());
+  ASSERT_EQ(program.init().status, 0);
+  program.script(1, "crash 70\n-\n");
+  const auto capture = program.run();
+  ASSERT_EQ(capture.status, 0) << capture.err;
+  const auto attempts = program.store().attempts(program.point(1).key);
+  ASSERT_EQ(attempts.size(), 2U);
+  EXPECT_FALSE(attempts[0].exit_code.has_value());
+  EXPECT_EQ(attempts[1].start_step, 50);
+  EXPECT_EQ(attempts[1].checkpoint_at_start, 50);
+  EXPECT_EQ(program.store().samples(program.point(1).key).size(), 11U)
+      << "samples after the checkpoint are not doubled";
+}
+
+TEST(CampaignRun, CrashesWithoutProgressUseUpTheRetries) {
+  const CampaignProgram program;
+  program.write_study("fluid.lambda = 5", CampaignProgram::execution("retries = 2\n"));
+  ASSERT_EQ(program.init().status, 0);
+  program.script(1, "crash 10\ncrash 20\ncrash 30\n-\n");
+  EXPECT_EQ(program.run().status, 4);
+  EXPECT_EQ(program.state(1), State::exhausted);
+  EXPECT_EQ(program.store().attempts(program.point(1).key).size(), 3U);
+  EXPECT_EQ(program.run().status, 4) << "and stays so";
+  EXPECT_EQ(program.store().attempts(program.point(1).key).size(), 3U);
+}
+
+TEST(CampaignRun, CrashesAfterProgressDoNot) {
+  const CampaignProgram program;
+  CampaignProgram::set_speed(100, 10);
+  program.write_study("fluid.lambda = 5", CampaignProgram::execution("retries = 1\n"));
+  ASSERT_EQ(program.init().status, 0);
+  program.script(1, "crash 15\ncrash 25\ncrash 35\ncrash 45\n-\n");
+  EXPECT_EQ(program.run().status, 0);
+  EXPECT_EQ(program.store().attempts(program.point(1).key).size(), 5U);
+}
+
+TEST(CampaignRun, PhysicsAndBadInputAreNotRetriedAndOthersGoOn) {
+  const CampaignProgram program;
+  program.write_study("fluid.lambda = 1, 2, 3", CampaignProgram::execution());
+  ASSERT_EQ(program.init().status, 0);
+  program.script(1, "exit 70 20\n-\n");
+  program.script(2, "exit 65 0\n-\n");
+  EXPECT_EQ(program.run().status, 4);
+  EXPECT_EQ(program.state(1), State::failed);
+  EXPECT_EQ(program.state(2), State::refused);
+  EXPECT_EQ(program.state(3), State::done);
+  EXPECT_EQ(program.store().attempts(program.point(1).key).size(), 1U);
+  EXPECT_THAT(program.store().events(program.point(1).key).back().evidence,
+              HasSubstr("exit.json says 70 (scripted end at step 20)"));
+}
+
+TEST(CampaignRun, FileErrorIsRetriedAndEarlyStopContinued) {
+  const CampaignProgram program;
+  program.write_study("fluid.lambda = 1, 2", CampaignProgram::execution());
+  ASSERT_EQ(program.init().status, 0);
+  program.script(1, "exit 74 20\n-\n");
+  program.script(2, "exit 75 60\n-\n");
+  EXPECT_EQ(program.run().status, 0);
+  EXPECT_EQ(program.store().attempts(program.point(1).key).size(), 2U);
+  EXPECT_EQ(program.store().attempts(program.point(2).key).size(), 2U);
+}
+
+TEST(CampaignRun, EndWithoutARecordIsACrashWithLastWords) {
+  const CampaignProgram program;
+  program.write_study("fluid.lambda = 1", CampaignProgram::execution("retries = 0\n"));
+  ASSERT_EQ(program.init().status, 0);
+  program.script(1, "mute 9\n");
+  EXPECT_EQ(program.run().status, 4);
+  EXPECT_THAT(program.store().events(program.point(1).key).back().evidence, HasSubstr("left no exit.json"));
+}
+
+TEST(CampaignRun, LikeEarlyFailuresPauseTheCampaign) {
+  const CampaignProgram program;
+  program.write_study("fluid.lambda = 1:8:1", "[execution]\njobs = 1\npause_after_failures = 3\n");
+  ASSERT_EQ(program.init().status, 0);
+  for (int ordinal = 1; ordinal <= 8; ++ordinal)
+    program.script(ordinal, "exit 70 " + std::to_string(ordinal) + "\n-\n");
+  const auto capture = program.run();
+  EXPECT_EQ(capture.status, 4);
+  EXPECT_THAT(capture.err,
+              HasSubstr("paused: 3 points in a row failed early and alike (exit 70: scripted end at step 3)"));
+  EXPECT_EQ(program.state(3), State::failed);
+  EXPECT_EQ(program.state(4), State::waiting);
+}
+
+TEST(CampaignRun, JobsAtATimeHaveDifferentCores) {
+  if (allowed_cores().size() < 2) GTEST_SKIP() << "one core only";
+  const CampaignProgram program;
+  CampaignProgram::set_speed(2000, 50);
+  program.write_study("fluid.lambda = 1:4:1", "[execution]\njobs = 2\n");
+  ASSERT_EQ(program.init().status, 0);
+  const pid_t run = program.start({"run", "c"});
+  ASSERT_TRUE(eventually([&] { return program.jobs().size() == 2; }));
+  std::set<int> used;
+  for (const pid_t job : program.jobs()) {
+    ASSERT_EQ(cores_of(job).size(), 1U);
+    used.insert(cores_of(job).front());
+  }
+  EXPECT_EQ(used.size(), 2U);
+  EXPECT_EQ(CampaignProgram::wait_for(run), 0);
+}
+
+TEST(CampaignRun, MoreRanksThanCoresAreRefusedUnlessTold) {
+  const CampaignProgram program;
+  program.write_study("fluid.lambda = 1", "[execution]\nranks = 4096\n");
+  ASSERT_EQ(program.init().status, 0);
+  const auto capture = program.run();
+  EXPECT_EQ(capture.status, 2);
+  EXPECT_THAT(capture.err, HasSubstr("ranks = 4096"));
+  EXPECT_EQ(program.state(1), State::waiting);
+}
+
+TEST(CampaignRun, MissingSolverIsSaidBeforeAnythingIsStarted) {
+  const CampaignProgram program;
+  program.write_study("fluid.lambda = 1");
+  ASSERT_EQ(program.init().status, 0);
+  ::setenv("ROULEAU_SOLVER", "/nowhere/solver", 1);
+  const auto capture = program.run();
+  EXPECT_EQ(capture.status, 1);
+  EXPECT_THAT(capture.err, HasSubstr("ROULEAU_SOLVER = /nowhere/solver"));
+  EXPECT_EQ(program.state(1), State::waiting);
+}
+
+TEST(CampaignRun, DamagedPointDoesNotStopTheOthers) {
+  const CampaignProgram program;
+  program.write_study("fluid.lambda = 1, 2", CampaignProgram::execution("retries = 0\n"));
+  ASSERT_EQ(program.init().status, 0);
+  set_content(program.run_directory(1) / "point.json", "{");
+  EXPECT_EQ(program.run().status, 4);
+  EXPECT_EQ(program.state(1), State::exhausted);
+  EXPECT_THAT(program.store().events(program.point(1).key).back().evidence, HasSubstr("point.json"));
+  EXPECT_EQ(program.state(2), State::done);
+}
+
+TEST(CampaignSync, RecordsAndStartsWithoutWaiting) {
+  const CampaignProgram program;
+  CampaignProgram::set_speed(3000, 20);
+  program.write_study("fluid.lambda = 1", CampaignProgram::execution());
+  ASSERT_EQ(program.init().status, 0);
+  ASSERT_EQ(program.rouleau({"sync", "c", "--no-start"}).status, 0);
+  EXPECT_EQ(program.state(1), State::waiting);
+  ASSERT_EQ(program.rouleau({"sync", "c"}).status, 0);
+  EXPECT_EQ(program.state(1), State::running);
+  EXPECT_EQ(program.jobs().size(), 1U);
+  ASSERT_EQ(program.rouleau({"sync", "c"}).status, 0);
+  EXPECT_EQ(program.store().attempts(program.point(1).key).size(), 1U) << "a running point is not started again";
+  ASSERT_TRUE(eventually([&] { return program.jobs().empty(); }));
+  ASSERT_EQ(program.rouleau({"sync", "c"}).status, 0);
+  EXPECT_EQ(program.state(1), State::done);
+}
+
+}  // namespace
+}  // namespace rouleau::campaign

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Starting real processes.
+#include "executor/local.hpp"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include "executor/attempt.hpp"
+#include "ingest/run_files.hpp"
+#include "study/error.hpp"
+#include "support/campaign_program.hpp"
+
+namespace rouleau::campaign {
+namespace {
+
+using rouleau::testing::content_of;
+using rouleau::testing::eventually;
+using rouleau::testing::set_content;
+using ::testing::HasSubstr;
+
+class LocalJob : public ::testing::Test {
+ protected:
+  LocalJob() {
+    ::setenv("FAKE_STEP_US", "1000", 1);
+    set_content(run_ / "run.ini",
+                "[channel]\nlength_x_um = 20\n[numerics]\ntime_step_us = 100\n[time]\nend_time_s = 1\n");
+    claim_attempt(run_, 1, "token");
+    order_.solver = FAKE_SOLVER_PROGRAM;
+    order_.run_directory = run_;
+    order_.token = "token";
+    order_.cores = {allowed_cores().back()};
+    order_.checkpoint_step = 7;
+  }
+  ~LocalJob() override {
+    if (process_.pid > 0 && life_of(process_) == Life::alive) ::kill(static_cast<pid_t>(process_.pid), SIGKILL);
+    ::usleep(1000);
+    executor_.reap();
+  }
+  bool ends() {
+    return eventually([&] { return executor_.life(process_) == Life::dead; });
+  }
+  rouleau::testing::TemporaryDirectory place_;
+  std::filesystem::path run_ = place_.path();
+  LocalExecutor executor_;
+  Order order_;
+  ProcessIdentity process_;
+};
+
+TEST_F(LocalJob, SaysItselfWhoItIs) {
+  process_ = executor_.launch(order_);
+  std::vector<std::string> warnings;
+  const auto file = read_process_file(run_ / "attempts/1/process.json", warnings);
+  ASSERT_TRUE(file.has_value());
+  EXPECT_EQ((ProcessIdentity{file->host, file->boot_id, file->pid, file->start_ticks}), process_);
+  EXPECT_EQ(file->ranks, 1);
+  EXPECT_EQ(file->checkpoint_step, 7);
+  EXPECT_EQ(executor_.life(process_), Life::alive);
+}
+
+TEST_F(LocalJob, HasItsOwnSessionCoresAndFiles) {
+  process_ = executor_.launch(order_);
+  const auto pid = static_cast<pid_t>(process_.pid);
+  EXPECT_EQ(::getsid(pid), pid) << "a terminal's Ctrl-C must not reach it";
+  EXPECT_EQ(cores_of(pid), order_.cores);
+  const std::string fds = "/proc/" + std::to_string(pid) + "/fd/";
+  EXPECT_EQ(std::filesystem::read_symlink(fds + "0"), "/dev/null");
+  EXPECT_EQ(std::filesystem::read_symlink(fds + "1"), run_ / "attempts/1/stdout");
+  EXPECT_EQ(std::filesystem::read_symlink(fds + "2"), run_ / "attempts/1/stderr");
+}
+
+TEST_F(LocalJob, InheritsNoOpenFileOfTheManager) {
+  const int ours = ::open("/etc/passwd", O_RDONLY | O_CLOEXEC);
+  process_ = executor_.launch(order_);
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/" + std::to_string(process_.pid) + "/fd")) {
+    EXPECT_NE(std::filesystem::read_symlink(entry.path()), "/etc/passwd");
+  }
+  ::close(ours);
+}
+
+TEST_F(LocalJob, RunsToItsEnd) {
+  ::setenv("FAKE_STEP_US", "1", 1);
+  set_content(run_ / "run.ini",
+              "[channel]\nlength_x_um = 20\n[numerics]\ntime_step_us = 100\n[time]\nend_time_s = 0.01\n");
+  process_ = executor_.launch(order_);
+  ASSERT_TRUE(ends());
+  std::vector<std::string> warnings;
+  EXPECT_EQ(read_exit_file(run_ / "attempts/1/exit.json", warnings)->code, 0);
+}
+
+TEST_F(LocalJob, StopsBehindACheckpointWhenAsked) {
+  process_ = executor_.launch(order_);
+  ASSERT_TRUE(eventually([&] { return std::filesystem::exists(run_ / "attempts/1/started.json"); }));
+  executor_.ask_to_stop(process_, run_, 1);
+  ASSERT_TRUE(ends());
+  std::vector<std::string> warnings;
+  const auto exit = read_exit_file(run_ / "attempts/1/exit.json", warnings);
+  ASSERT_TRUE(exit.has_value());
+  EXPECT_EQ(exit->code, 75);
+  EXPECT_EQ(checkpoint_steps(run_).back(), exit->step);
+}
+
+TEST_F(LocalJob, IsNotSignalledBeforeItCatchesSignals) {
+  // Without started.json nobody knows whether the signal is caught; sent to us, it would end this test.
+  executor_.ask_to_stop(identity_of(::getpid()).value(), run_, 1);
+  SUCCEED();
+}
+
+TEST_F(LocalJob, ProgramThatIsNotThereIsAnErrorAndLeavesNoProcess) {
+  order_.solver = "/nowhere/rouleau-solver";
+  try {
+    process_ = executor_.launch(order_);
+    FAIL() << "was started";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("/nowhere/rouleau-solver"));
+    EXPECT_THAT(error.what(), HasSubstr("No such file"));
+  }
+  EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1) << "a child is left";
+}
+
+TEST_F(LocalJob, WithoutAnAttemptDirectoryIsAnError) {
+  order_.attempt = 2;
+  EXPECT_THROW(process_ = executor_.launch(order_), Error);
+}
+
+TEST(LocalCommand, OneRankNeedsNoMpirun) {
+  const Order order{"/x/rouleau-solver", "/r", 3, "t", 1, -1, {0}, 0};
+  EXPECT_THAT(job_command(order),
+              ::testing::ElementsAre("/x/rouleau-solver", "run.ini", "--attempt", "3", "--token", "t"));
+}
+
+TEST(LocalCommand, MoreRanksRunUnderMpirunUnbound) {
+  const Order order{"/x/rouleau-solver", "/r", 3, "t", 2, -1, {0, 1}, 0};
+  EXPECT_THAT(job_command(order),
+              ::testing::ElementsAre("mpirun", "-n", "2", "--host", "localhost:2", "--bind-to", "none",
+                                     "/x/rouleau-solver", "run.ini", "--attempt", "3", "--token", "t"));
+}
+
+TEST(LocalCommand, RanksWithoutCoresOfTheirOwnYield) {
+  EXPECT_THAT(mpi_prefix(4, 2), ::testing::Contains("mpi_yield_when_idle"));
+  EXPECT_THAT(mpi_prefix(4, 4), ::testing::Not(::testing::Contains("mpi_yield_when_idle")));
+}
+
+}  // namespace
+}  // namespace rouleau::campaign

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Signals as events.
+#include "executor/signals.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace rouleau::campaign {
+namespace {
+
+TEST(CampaignSignals, AreReturnedInsteadOfKilling) {
+  SignalWatch watch;
+  EXPECT_EQ(watch.wait(0), 0);
+  ::kill(::getpid(), SIGTERM);
+  EXPECT_EQ(watch.wait(1000), SIGTERM);
+  ::kill(::getpid(), SIGINT);
+  EXPECT_EQ(watch.wait(1000), SIGINT);
+  EXPECT_EQ(watch.wait(0), 0);
+}
+
+TEST(CampaignSignals, MaskIsRestored) {
+  { const SignalWatch watch; }
+  sigset_t now;
+  ::sigprocmask(SIG_BLOCK, nullptr, &now);
+  EXPECT_EQ(sigismember(&now, SIGINT), 0);
+}
+
+TEST(CampaignSignals, HangUpStaysIgnoredUnderNohup) {
+  const auto before = ::signal(SIGHUP, SIG_IGN);
+  {
+    SignalWatch watch;
+    ::kill(::getpid(), SIGHUP);
+    EXPECT_EQ(watch.wait(50), 0);
+  }
+  ::signal(SIGHUP, before);
+}
+
+}  // namespace
+}  // namespace rouleau::campaign
