@@ -7,7 +7,7 @@ campaign=${1:-build/quick}
 
 echo "== building"
 build rouleau rouleau-solver
-rouleau=build/campaign/rouleau
+rouleau=build/bin/rouleau
 
 echo "== $campaign: $(grep -c . studies/quick/study.ini) lines of study, two jobs at a time (Ctrl-C stops; run again to go on)"
 "$rouleau" init studies/quick/study.ini "$campaign"

@@ -103,7 +103,9 @@ void Manager::settle(const PointRow& point) {
   const Evidence& evidence = gathered.evidence;
   const Recorded recorded = recorded_of(point, newest ? &*newest : nullptr);
   const Verdict verdict = judge(recorded, evidence, policy_);
-  const bool is_unseen = evidence.life == Life::unknown && !evidence.exit && !is_final(point.state);
+  // An attempt that the user has given up (its end is recorded) is waited for no more.
+  const bool is_open = recorded.attempt_is_open || evidence.newest_attempt > recorded.attempt;
+  const bool is_unseen = is_open && evidence.life == Life::unknown && !evidence.exit && !is_final(point.state);
   if (evidence.life == Life::alive || is_unseen) {
     living_.push_back(
         {point.key, point.ordinal, evidence.newest_attempt, gathered.ranks, !is_unseen, gathered.process});

@@ -76,12 +76,4 @@ std::vector<PointRow> find_points(const Store& store, const std::string& word) {
   return found;
 }
 
-PointRow find_point(const Store& store, const std::string& word) {
-  const std::vector<PointRow> found = find_points(store, word);
-  if (found.size() > 1)
-    fail(Exit::usage, "`{}` names {} points (#{}, #{}{}); name one", word, found.size(), found[0].ordinal,
-         found[1].ordinal, found.size() > 2 ? ", ..." : "");
-  return found.front();
-}
-
 }  // namespace rouleau::campaign

@@ -14,7 +14,4 @@ namespace rouleau::campaign {
 /// throws  Error (not_found) when there is none, (usage) when a beginning fits several or a name is unknown
 std::vector<PointRow> find_points(const Store& store, const std::string& word);
 
-/// The same for a verb that needs one point.   throws Error (usage) listing them when several fit
-PointRow find_point(const Store& store, const std::string& word);
-
 }  // namespace rouleau::campaign

@@ -44,25 +44,6 @@ void require_changed(const Database& database, std::string_view key) {
     fail(Exit::not_found, "{}: has no point {}; `rouleau status` lists them", database.file().string(), key);
 }
 
-std::vector<EventRow> events_in(Statement& statement) {
-  std::vector<EventRow> events;
-  while (statement.step()) {
-    EventRow& event = events.emplace_back();
-    event.id = statement.integer(0);
-    event.unix_s = statement.real(1);
-    event.point = statement.text(2);
-    if (!statement.is_null(3)) event.attempt = static_cast<int>(statement.integer(3));
-    if (!statement.is_null(4)) event.from = state_in(statement, 4);
-    event.to = state_in(statement, 5);
-    event.evidence = statement.text(6);
-  }
-  return events;
-}
-
-constexpr std::string_view event_columns =
-    "SELECT e.id, e.unix_s, p.key, e.attempt, e.from_state, e.to_state, e.evidence "
-    "FROM event e JOIN point p ON p.ordinal = e.point ";
-
 }  // namespace
 
 std::vector<PointRow> Store::points() const {
@@ -87,10 +68,6 @@ std::vector<ParameterRow> Store::parameters(std::string_view key) const {
   while (statement.step())
     rows.push_back({statement.text(0), statement.text(1), statement.optional_real(2), statement.integer(3) != 0});
   return rows;
-}
-
-int Store::next_ordinal() const {
-  return static_cast<int>(database_.select_integer("SELECT coalesce(max(ordinal), 0) + 1 FROM point"));
 }
 
 void Store::add_point(const PointRow& point, const std::vector<ParameterRow>& parameters, std::string_view evidence,
@@ -139,16 +116,22 @@ bool Store::change_state(std::string_view key, State from, State to, std::string
 }
 
 std::vector<EventRow> Store::events(std::string_view key) const {
-  Statement statement = database_.prepare(std::string(event_columns) + "WHERE p.key = ? ORDER BY e.id");
+  Statement statement = database_.prepare(
+      "SELECT e.id, e.unix_s, p.key, e.attempt, e.from_state, e.to_state, e.evidence "
+      "FROM event e JOIN point p ON p.ordinal = e.point WHERE p.key = ? ORDER BY e.id");
   statement.bind(key);
-  return events_in(statement);
-}
-
-std::vector<EventRow> Store::last_events(int count) const {
-  Statement statement =
-      database_.prepare("SELECT * FROM (" + std::string(event_columns) + "ORDER BY e.id DESC LIMIT ?) ORDER BY id");
-  statement.bind(count);
-  return events_in(statement);
+  std::vector<EventRow> events;
+  while (statement.step()) {
+    EventRow& event = events.emplace_back();
+    event.id = statement.integer(0);
+    event.unix_s = statement.real(1);
+    event.point = statement.text(2);
+    if (!statement.is_null(3)) event.attempt = static_cast<int>(statement.integer(3));
+    if (!statement.is_null(4)) event.from = state_in(statement, 4);
+    event.to = state_in(statement, 5);
+    event.evidence = statement.text(6);
+  }
+  return events;
 }
 
 void Store::add_event(const EventRow& event) {

@@ -45,7 +45,6 @@ class Store {
   [[nodiscard]] std::vector<PointRow> points() const;
   [[nodiscard]] std::optional<PointRow> point(std::string_view key) const;
   [[nodiscard]] std::vector<ParameterRow> parameters(std::string_view key) const;
-  [[nodiscard]] int next_ordinal() const;
   /// Adds a point with its parameters and the event of its creation (now, or at unix_s). throws Error if the key is
   /// there already.
   void add_point(const PointRow& point, const std::vector<ParameterRow>& parameters, std::string_view evidence,
@@ -59,9 +58,6 @@ class Store {
   bool change_state(std::string_view key, State from, State to, std::string_view evidence,
                     std::optional<int> attempt = std::nullopt, std::optional<double> unix_s = std::nullopt);
   [[nodiscard]] std::vector<EventRow> events(std::string_view key) const;  ///< oldest first
-  [[nodiscard]] std::vector<EventRow> last_events(int count) const;        ///< of the whole campaign, oldest first
-  /// Writes an event as it stands; for a rebuild, which reconstructs past ones. `id` is ignored.
-  void add_event(const EventRow& event);
 
   // Attempts, in the order of their numbers.
   [[nodiscard]] std::vector<AttemptRow> attempts(std::string_view point) const;
@@ -88,6 +84,8 @@ class Store {
 
  private:
   explicit Store(Database database) : database_(std::move(database)) {}
+  void add_event(const EventRow& event);  ///< `id` is ignored
+
   Database database_;
 };
 

@@ -23,8 +23,8 @@ CREATE TABLE setting (
 CREATE TABLE point (
   ordinal          INTEGER PRIMARY KEY CHECK (ordinal >= 1),
   key              TEXT NOT NULL UNIQUE CHECK (length(key) >= 12),
-  state            TEXT NOT NULL CHECK (state IN ('waiting', 'running', 'stopped', 'done', 'failed', 'refused', 'crashed',
-                                                  'exhausted', 'cancelled')),
+  state            TEXT NOT NULL CHECK (state IN ('waiting', 'running', 'stopped', 'done', 'failed', 'refused',
+                                                  'crashed', 'exhausted', 'cancelled')),
   replica          INTEGER NOT NULL CHECK (typeof(replica) = 'integer' AND replica >= 0),
   in_study         INTEGER NOT NULL CHECK (in_study IN (0, 1)),
   retries_used     INTEGER NOT NULL CHECK (typeof(retries_used) = 'integer' AND retries_used >= 0),

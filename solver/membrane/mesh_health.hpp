@@ -11,8 +11,10 @@
 namespace rouleau {
 
 struct MeshLimits {
-  /// Two neighbouring triangles count as folded if the cosine between their normals is below this.
-  double fold_cosine = -0.5;
+  /// Two neighbouring triangles count as folded if the cosine between their normals is below this. Ridges as sharp as
+  /// 120 degrees pass over the rim of a coarse mesh (1280 triangles) and smooth out again; only a fold flat upon itself
+  /// does not.
+  double fold_cosine = -0.98;
   /// A triangle counts as collapsed if its area is below this part of its reference area.
   double collapse_area_ratio = 0.02;
 };

@@ -55,10 +55,5 @@ TEST_F(FindPointsTest, MissesAndAmbiguitiesAreErrors) {
   EXPECT_THAT(error_of("shape=x' OR '1'='1").first, Exit::not_found);
 }
 
-TEST_F(FindPointsTest, VerbOfOnePointRefusesSeveral) {
-  EXPECT_EQ(find_point(campaign_.store, "#2").ordinal, 2);
-  EXPECT_THROW(find_point(campaign_.store, "state=done"), Error);
-}
-
 }  // namespace
 }  // namespace rouleau::campaign

@@ -32,7 +32,6 @@ class StoreTest : public ::testing::Test {
 TEST_F(StoreTest, PointsComeBackWithTheirParameters) {
   EXPECT_THAT(store_.points(), ElementsAre(testing::a_point(1), testing::a_point(2)));
   EXPECT_EQ(store_.parameters(key_), testing::its_parameters(testing::a_point(1)));
-  EXPECT_EQ(store_.next_ordinal(), 3);
   EXPECT_EQ(store_.point("no such key"), std::nullopt);
 }
 

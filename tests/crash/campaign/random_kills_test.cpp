@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// kill -9 of jobs and of `rouleau run` at random moments, then plain `rouleau run`: the database must not show it.
+#include <gmock/gmock.h>
+
+#include <random>
+
+#include "support/campaign_program.hpp"
+
+namespace rouleau::campaign {
+namespace {
+
+using rouleau::testing::CampaignProgram;
+using rouleau::testing::content_of;
+
+constexpr int kills = 40;
+
+/// Always the same, unless CRASH_SEED asks for other moments.
+unsigned seed() {
+  const char* text = std::getenv("CRASH_SEED");
+  return text == nullptr ? 20201U : static_cast<unsigned>(std::atoi(text));
+}
+
+/// Everything a campaign came to, times and attempts aside.
+struct Outcome {
+  std::vector<PointRow> points;
+  std::vector<std::vector<ParameterRow>> parameters;
+  std::vector<std::vector<SampleRow>> samples;
+  std::vector<std::vector<ResultRow>> results;
+  std::vector<std::string> logs;  ///< samples.csv, byte for byte
+
+  friend bool operator==(const Outcome&, const Outcome&) = default;
+};
+
+Outcome outcome_of(const CampaignProgram& program) {
+  const Store store = program.store();
+  Outcome outcome;
+  outcome.points = store.points();
+  for (const PointRow& point : outcome.points) {
+    outcome.parameters.push_back(store.parameters(point.key));
+    outcome.samples.push_back(store.samples(point.key));
+    outcome.results.push_back(store.results(point.key));
+    outcome.logs.push_back(content_of(program.campaign() / "points" / point.key / "samples.csv"));
+  }
+  return outcome;
+}
+
+void make(const CampaignProgram& program) {
+  // 1000 steps a point, a checkpoint every 20: a job takes about half a second and meets several kills.
+  CampaignProgram::set_speed(400, 20);
+  program.write_study("fluid.lambda = 1, 4:5.5:0.5, 8\nreplicas = 2",
+                      "[cell]\njitter_um = 0.1\n" + CampaignProgram::execution("retries = 1000\n"), "0.1");
+  ASSERT_EQ(program.init().status, 0);
+}
+
+/// Kills the manager, a job, or (a machine that goes down) all at once.   returns whether there was anything to kill
+bool kill_something(const CampaignProgram& program, pid_t& manager, std::mt19937& random) {
+  const int victim = std::uniform_int_distribution<>(0, 9)(random);
+  const bool takes_manager = victim < 5;
+  const bool takes_jobs = victim >= 4;
+  bool has_killed = false;
+  if (takes_manager && ::kill(manager, SIGKILL) == 0) {
+    CampaignProgram::wait_for(manager);
+    manager = 0;
+    has_killed = true;
+  }
+  if (takes_jobs) {
+    for (const pid_t job : program.jobs()) {
+      ::kill(job, SIGKILL);
+      has_killed = true;
+      if (victim != 4) break;
+    }
+  }
+  return has_killed;
+}
+
+TEST(CampaignCrash, RandomKillsLeaveNoTraceInTheDatabase) {
+  const CampaignProgram undisturbed;
+  make(undisturbed);
+  ASSERT_EQ(undisturbed.run().status, 0);
+
+  const CampaignProgram disturbed;
+  make(disturbed);
+  std::mt19937 random(seed());
+  std::uniform_int_distribution<> pause_ms(0, 120);
+  pid_t manager = disturbed.start({"run", "c"});
+  int done = 0;
+  for (int tries = 0; done < kills && tries < 10 * kills; ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(pause_ms(random)));
+    if (kill_something(disturbed, manager, random)) ++done;
+    int status = 0;
+    if (manager != 0 && ::waitpid(manager, &status, WNOHANG) == manager) break;  // all done before the last kill
+    if (manager == 0) manager = disturbed.start({"run", "c"});
+  }
+  if (manager != 0) {
+    ::kill(manager, SIGKILL);
+    CampaignProgram::wait_for(manager);
+  }
+  RecordProperty("kills", done);
+  EXPECT_EQ(done, kills) << "the campaign was over too soon";
+
+  const auto capture = disturbed.run();
+  EXPECT_EQ(capture.status, 0) << capture.err;
+  EXPECT_TRUE(disturbed.jobs().empty()) << "a process is left over";
+  const Outcome expected = outcome_of(undisturbed);
+  const Outcome found = outcome_of(disturbed);
+  ASSERT_EQ(found.points.size(), expected.points.size());
+  for (std::size_t i = 0; i < expected.points.size(); ++i) {
+    EXPECT_EQ(found.points[i], expected.points[i]) << i;
+    EXPECT_EQ(found.parameters[i], expected.parameters[i]) << i;
+    EXPECT_EQ(found.samples[i], expected.samples[i]) << i;
+    EXPECT_EQ(found.results[i], expected.results[i]) << i;
+    EXPECT_EQ(found.logs[i], expected.logs[i]) << i;
+  }
+  std::size_t attempts = 0;
+  for (const PointRow& point : found.points) attempts += disturbed.store().attempts(point.key).size();
+  EXPECT_GT(attempts, found.points.size()) << "no kill has hit a job: the test proves nothing";
+  RecordProperty("attempts", static_cast<int>(attempts));
+  EXPECT_EQ(disturbed.rouleau({"verify", "c"}).status, 0) << "and the campaign's own check agrees";
+}
+
+}  // namespace
+}  // namespace rouleau::campaign
