@@ -89,6 +89,7 @@ class CampaignProgram {
 
   /// `rouleau WORDS` in the background, stderr to the file `err` beside the campaign.
   [[nodiscard]] pid_t start(const std::vector<std::string>& words) const {
+    std::fflush(nullptr);  // or the child writes our buffers again
     const pid_t pid = ::fork();
     if (pid != 0) return pid;
     ::setsid();

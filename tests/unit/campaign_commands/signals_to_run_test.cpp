@@ -97,5 +97,26 @@ TEST_F(SignalToRun, SecondManagerIsRefusedAndToldWhoHasTheLock) {
   CampaignProgram::wait_for(run_);
 }
 
+TEST(SignalToMpirun, ReachesTheSolverBehindIt) {
+  ::setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+  ::setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+  const CampaignProgram program;
+  CampaignProgram::set_speed(5000, 100000);
+  program.write_study("fluid.lambda = 1", CampaignProgram::execution("ranks = 2\n"), "0.2");
+  ASSERT_EQ(program.init().status, 0);
+  const pid_t run = program.start({"run", "c"});
+  ASSERT_TRUE(
+      eventually([&] { return std::filesystem::exists(program.run_directory(1) / "attempts/1/started.json"); }));
+  ::kill(run, SIGINT);
+  EXPECT_EQ(CampaignProgram::wait_for(run), 130);
+  EXPECT_EQ(program.state(1), State::stopped);
+  const auto attempt = program.store().attempts(program.point(1).key).at(0);
+  EXPECT_EQ(attempt.exit_code, 75);
+  EXPECT_TRUE(program.jobs().empty());
+  CampaignProgram::set_speed(10, 100000);
+  EXPECT_EQ(program.run().status, 0);
+  EXPECT_EQ(program.store().attempts(program.point(1).key).at(1).start_step, attempt.step);
+}
+
 }  // namespace
 }  // namespace rouleau::campaign
