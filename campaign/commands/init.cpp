@@ -17,7 +17,9 @@ namespace po = boost::program_options;
 constexpr std::size_t most_named = 10;
 
 void describe(po::options_description& options) {
-  options.add_options()("yes,y", po::bool_switch(), "go on although points of the campaign leave the study");
+  auto add = options.add_options();
+  add("yes,y", po::bool_switch(), "go on although points of the campaign leave the study");
+  add("help-study", po::bool_switch(), "how a study file is written, with every setting");
 }
 
 void refuse_foreign_directory(const std::filesystem::path& directory) {
@@ -41,6 +43,10 @@ std::string listed(const std::vector<Point>& points) {
 }
 
 int init(const CommandLine& line) {
+  if (line.is_set("help-study")) {
+    line.io.out << study_help();
+    return static_cast<int>(Exit::ok);
+  }
   if (line.words.size() != 2) {
     fail(Exit::usage,
          "rouleau init: takes a study file and a directory, {} words were given. `rouleau init --help` explains.",

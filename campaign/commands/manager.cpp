@@ -202,7 +202,10 @@ void Manager::take_requests() {
 }
 
 void Manager::cancel(const PointRow& point) {
-  if (point.state == State::done || point.state == State::cancelled) return;
+  if (point.state == State::done || point.state == State::cancelled) {
+    say_(fmt::format("{}: is {}; there is nothing to cancel", name_of(point), word_of(point.state)));
+    return;
+  }
   // The directory first: it is the truth that a rebuilt database comes from.
   Point file = read_point(run_directory(point.key) / "point.json");
   file.cancelled = true;

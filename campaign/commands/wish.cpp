@@ -26,16 +26,18 @@ std::vector<PointRow> named_points(const CommandLine& line, const char* verb) {
 void wish(const CommandLine& line, Wish wish, const std::vector<PointRow>& points) {
   if (points.empty()) return;
   for (const PointRow& point : points) leave_request(line.directory, wish, point.key);
+  const auto say = [&](const std::string& message) {
+    if (!line.quiet) line.io.err << message << std::endl;
+  };
   try {
-    Manager manager(line.directory, wish == Wish::cancel ? "cancel" : "retry", [&](const std::string& message) {
-      if (!line.quiet) line.io.err << message << std::endl;
-    });
+    Manager manager(line.directory, wish == Wish::cancel ? "cancel" : "retry", say);
     manager.reconcile(true);
+    // Another rouleau may have carried the wish out, and ended, while we waited for the lock.
+    if (requests_in(line.directory).empty()) say("carried out by the rouleau that was running this campaign");
     manager.take_requests();
   } catch (const Error& error) {
     if (error.code() != Exit::locked) throw;
-    if (!line.quiet)
-      line.io.err << "handed to the rouleau that is running this campaign; it acts within a second" << std::endl;
+    say("handed to the rouleau that is running this campaign; it acts within a second");
   }
 }
 

@@ -27,6 +27,9 @@ SignalWatch::SignalWatch() {
 }
 
 SignalWatch::~SignalWatch() {
+  // A second Ctrl-C that came too late to be heeded must not kill us now that we are ending anyway.
+  while (wait(0) != 0) {
+  }
   ::close(fd_);
   ::sigprocmask(SIG_SETMASK, &before_, nullptr);
 }

@@ -80,12 +80,7 @@ std::filesystem::path find_solver() {
   }
   std::error_code error;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (!error) {
-    // A build tree keeps the two programs in neighbouring folders, an installation in one.
-    for (const auto& place : {self.parent_path() / name, self.parent_path().parent_path() / "solver" / name}) {
-      if (is_program(place)) return place;
-    }
-  }
+  if (!error && is_program(self.parent_path() / name)) return self.parent_path() / name;
   const char* path = std::getenv("PATH");
   std::string rest = path == nullptr ? "" : path;
   while (!rest.empty()) {

@@ -2,6 +2,10 @@
 // The tables of [execution] and [analysis].
 #include "study/settings.hpp"
 
+#include <fmt/format.h>
+
+#include "study/numbers.hpp"
+
 namespace rouleau::campaign {
 
 namespace {
@@ -29,6 +33,40 @@ constexpr SettingRow<Analysis> analysis_table[] = {
 };
 
 }  // namespace
+
+namespace {
+
+template <class Settings>
+std::string help_of(std::span<const SettingRow<Settings>> rows) {
+  const Settings defaults;
+  std::string text;
+  for (const SettingRow<Settings>& row : rows) {
+    text += fmt::format("    {:<22} = {:<5} # {} [{} ... {}]\n", row.name, shortest(defaults.*row.member), row.help,
+                        shortest(row.minimum), shortest(row.maximum));
+  }
+  return text;
+}
+
+constexpr std::string_view study_and_sweep =
+    "A study file is INI text: [section], name = value, # comments. It has the sections of the run file\n"
+    "(`rouleau-solver --help-run-file` lists them), whose entries hold for every point, and these:\n\n"
+    "[study]\n"
+    "    name = lambda-sweep          # letters, digits, _ - .\n\n"
+    "[sweep]\n"
+    "    fluid.lambda = 1, 2, 4:5:0.25  # an axis: section.name = values and from:to:step ranges\n"
+    "    mode = product               # of several axes; or zip: side by side\n"
+    "    replicas = 3                 # each point so often, with cell.replica = 1, 2, 3; needs cell.jitter_um above "
+    "0\n\n";
+
+}  // namespace
+
+std::string study_help() {
+  return std::string(study_and_sweep) +
+         "[execution]\n"
+         "    engine                 = local # where jobs run\n"
+         "    checkpoint_interval_min        # another way to write output.checkpoint_interval_min\n" +
+         help_of(execution_rows()) + "\n[analysis]\n" + help_of(analysis_rows());
+}
 
 std::span<const SettingRow<Execution>> execution_rows() { return execution_table; }
 std::span<const SettingRow<Analysis>> analysis_rows() { return analysis_table; }

@@ -44,4 +44,7 @@ struct SettingRow {
 [[nodiscard]] std::span<const SettingRow<Execution>> execution_rows();
 [[nodiscard]] std::span<const SettingRow<Analysis>> analysis_rows();
 
+/// How a study file is written, for people: all sections, and these settings with default, range and meaning.
+[[nodiscard]] std::string study_help();
+
 }  // namespace rouleau::campaign

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A campaign in a directory of its own, driven by the real `rouleau` program with the fake solver.
+// A campaign in a directory of its own, driven by the real `rouleau` program, with the fake solver unless told
+// otherwise.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -42,8 +43,8 @@ class CampaignProgram {
   using Capture = rouleau::campaign::Capture;
   using Store = rouleau::campaign::Store;
 
-  CampaignProgram() {
-    ::setenv("ROULEAU_SOLVER", FAKE_SOLVER_PROGRAM, 1);
+  explicit CampaignProgram(std::string solver = FAKE_SOLVER_PROGRAM) : solver_(std::move(solver)) {
+    ::setenv("ROULEAU_SOLVER", solver_.c_str(), 1);
     set_speed(100, 50);
   }
   ~CampaignProgram() {
@@ -111,7 +112,7 @@ class CampaignProgram {
   }
   [[nodiscard]] std::string messages() const { return content_of(path() / "err"); }
 
-  /// Living fake solvers of this campaign (by their working directory).
+  /// Living solvers of this campaign (by their working directory).
   [[nodiscard]] std::vector<pid_t> jobs() const {
     std::vector<pid_t> found;
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
@@ -119,7 +120,7 @@ class CampaignProgram {
       if (pid <= 0) continue;
       std::error_code error;
       const auto program = std::filesystem::read_symlink(entry.path() / "exe", error);
-      if (error || program != FAKE_SOLVER_PROGRAM) continue;
+      if (error || program != solver_) continue;
       const auto directory = std::filesystem::read_symlink(entry.path() / "cwd", error);
       if (!error && directory.string().starts_with(campaign().string())) found.push_back(pid);
     }
@@ -139,6 +140,7 @@ class CampaignProgram {
   void script(int ordinal, const std::string& lines) const { set_content(run_directory(ordinal) / "fake", lines); }
 
  private:
+  std::string solver_;
   TemporaryDirectory place_;
 };
 

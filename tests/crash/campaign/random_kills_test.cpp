@@ -12,8 +12,6 @@ namespace {
 using rouleau::testing::CampaignProgram;
 using rouleau::testing::content_of;
 
-constexpr int kills = 40;
-
 /// Always the same, unless CRASH_SEED asks for other moments.
 unsigned seed() {
   const char* text = std::getenv("CRASH_SEED");
@@ -73,15 +71,27 @@ bool kill_something(const CampaignProgram& program, pid_t& manager, std::mt19937
   return has_killed;
 }
 
-TEST(CampaignCrash, RandomKillsLeaveNoTraceInTheDatabase) {
-  const CampaignProgram undisturbed;
-  make(undisturbed);
+/// Three short runs of a coarse cell, with a checkpoint at every look at the clock.
+std::string real_study() {
+  return "[study]\nname = real\n[sweep]\nfluid.lambda = 1, 5, 8\n"
+         "[channel]\nlength_x_um = 16\nlength_y_um = 12\nlength_z_um = 10\n"
+         "[flow]\nmean_velocity_mm_per_s = 1.5\ninitial = developed\n"
+         "[cell]\nsubdivisions = 3\noffset_y_um = 0.5\n[membrane]\nbending_modulus_J = 1e-18\n"
+         "[numerics]\nnode_spacing_um = 2/3\ntime_step_us = 1.25\ncorrection_interval = 50\n"
+         "[time]\nend_time_s = 0.005\n"
+         "[output]\nsample_interval_steps = 40\ncheckpoint_interval_min = 0.001\nprogress_interval_s = 0.5\n"
+         "[analysis]\nwindow_s = 0.002\noscillation_window_s = 0.004\n" +
+         CampaignProgram::execution("retries = 1000\n");
+}
+
+/// Runs `disturbed` under random kills with up to `longest_pause_ms` between them, then to its end; expects what
+/// `undisturbed` has.
+void expect_no_trace(const CampaignProgram& undisturbed, const CampaignProgram& disturbed, int kills,
+                     int longest_pause_ms) {
   ASSERT_EQ(undisturbed.run().status, 0);
 
-  const CampaignProgram disturbed;
-  make(disturbed);
   std::mt19937 random(seed());
-  std::uniform_int_distribution<> pause_ms(0, 120);
+  std::uniform_int_distribution<> pause_ms(0, longest_pause_ms);
   pid_t manager = disturbed.start({"run", "c"});
   int done = 0;
   for (int tries = 0; done < kills && tries < 10 * kills; ++tries) {
@@ -95,7 +105,7 @@ TEST(CampaignCrash, RandomKillsLeaveNoTraceInTheDatabase) {
     ::kill(manager, SIGKILL);
     CampaignProgram::wait_for(manager);
   }
-  RecordProperty("kills", done);
+  ::testing::Test::RecordProperty("kills", done);
   EXPECT_EQ(done, kills) << "the campaign was over too soon";
 
   const auto capture = disturbed.run();
@@ -114,8 +124,25 @@ TEST(CampaignCrash, RandomKillsLeaveNoTraceInTheDatabase) {
   std::size_t attempts = 0;
   for (const PointRow& point : found.points) attempts += disturbed.store().attempts(point.key).size();
   EXPECT_GT(attempts, found.points.size()) << "no kill has hit a job: the test proves nothing";
-  RecordProperty("attempts", static_cast<int>(attempts));
+  ::testing::Test::RecordProperty("attempts", static_cast<int>(attempts));
   EXPECT_EQ(disturbed.rouleau({"verify", "c"}).status, 0) << "and the campaign's own check agrees";
+}
+
+TEST(CampaignCrash, RandomKillsLeaveNoTraceInTheDatabase) {
+  const CampaignProgram undisturbed, disturbed;
+  make(undisturbed);
+  make(disturbed);
+  expect_no_trace(undisturbed, disturbed, 40, 120);
+}
+
+TEST(CampaignCrash, RandomKillsOfRealSolversLeaveNoTraceInTheDatabase) {
+  const CampaignProgram undisturbed(REAL_SOLVER_PROGRAM), disturbed(REAL_SOLVER_PROGRAM);
+  for (const CampaignProgram* program : {&undisturbed, &disturbed}) {
+    rouleau::testing::set_content(program->study(), real_study());
+    const auto made = program->init();
+    ASSERT_EQ(made.status, 0) << made.err;
+  }
+  expect_no_trace(undisturbed, disturbed, 8, 900);
 }
 
 }  // namespace

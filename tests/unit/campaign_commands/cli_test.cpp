@@ -80,6 +80,13 @@ TEST(CampaignHelp, OfEveryVerbBeginsWithExamples) {
   }
 }
 
+TEST(CampaignHelp, ExplainsTheStudyFile) {
+  const CampaignProgram program;
+  const auto capture = program.rouleau({"init", "--help-study"});
+  EXPECT_EQ(capture.status, 0);
+  EXPECT_THAT(capture.out, AllOf(HasSubstr("[sweep]"), HasSubstr("[execution]"), HasSubstr("window_s")));
+}
+
 TEST(CampaignHelp, WithoutAnyWordIsAUsageErrorThatHelps) {
   const CampaignProgram program;
   const auto capture = program.rouleau({});

@@ -58,7 +58,7 @@ TEST_F(Recovery, KilledBetweenClaimAndStart) {
 }
 
 TEST_F(Recovery, KilledBetweenStartAndItsRecord) {
-  CampaignProgram::set_speed(5000, 50);
+  CampaignProgram::set_speed(10000, 50);
   record_intent(AttemptState::planned);
   claim_attempt(program_.run_directory(1), 1, "token");
   LocalExecutor executor;

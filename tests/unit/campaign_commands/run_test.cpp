@@ -136,7 +136,7 @@ TEST(CampaignRun, LikeEarlyFailuresPauseTheCampaign) {
 TEST(CampaignRun, JobsAtATimeHaveDifferentCores) {
   if (allowed_cores().size() < 2) GTEST_SKIP() << "one core only";
   const CampaignProgram program;
-  CampaignProgram::set_speed(2000, 50);
+  CampaignProgram::set_speed(5000, 50);
   program.write_study("fluid.lambda = 1:4:1", "[execution]\njobs = 2\n");
   ASSERT_EQ(program.init().status, 0);
   const pid_t run = program.start({"run", "c"});
@@ -184,7 +184,7 @@ TEST(CampaignRun, DamagedPointDoesNotStopTheOthers) {
 
 TEST(CampaignSync, RecordsAndStartsWithoutWaiting) {
   const CampaignProgram program;
-  CampaignProgram::set_speed(3000, 20);
+  CampaignProgram::set_speed(20000, 20);  // 2 s: three calls of rouleau fit in
   program.write_study("fluid.lambda = 1", CampaignProgram::execution());
   ASSERT_EQ(program.init().status, 0);
   ASSERT_EQ(program.rouleau({"sync", "c", "--no-start"}).status, 0);

@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 class SignalToRun : public ::testing::Test {
  protected:
   SignalToRun() {
-    CampaignProgram::set_speed(2000, 1000);  // 1 s a point; no checkpoint of its own accord
+    CampaignProgram::set_speed(4000, 1000);  // 2 s a point; no checkpoint of its own accord
     program_.write_study("fluid.lambda = 1, 2, 3", CampaignProgram::execution(), "0.05");
     EXPECT_EQ(program_.init().status, 0);
     run_ = program_.start({"run", "c"});
@@ -72,6 +72,7 @@ TEST_F(SignalToRun, HangUpLetsGoAndJobsGoOn) {
   ::kill(run_, SIGHUP);
   EXPECT_EQ(CampaignProgram::wait_for(run_), 130);
   EXPECT_EQ(program_.jobs().size(), 2U);
+  CampaignProgram::set_speed(10, 1000);
   const auto capture = program_.run();
   EXPECT_EQ(capture.status, 0);
   EXPECT_THAT(capture.err, HasSubstr("attempt 1 is still running; taken over"));

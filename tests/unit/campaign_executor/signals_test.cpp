@@ -25,6 +25,15 @@ TEST(CampaignSignals, MaskIsRestored) {
   EXPECT_EQ(sigismember(&now, SIGINT), 0);
 }
 
+TEST(CampaignSignals, OneThatWasNotHeededDoesNotKillAtTheEnd) {
+  {
+    const SignalWatch watch;
+    ::kill(::getpid(), SIGTERM);
+    ::kill(::getpid(), SIGINT);
+  }
+  SUCCEED();
+}
+
 TEST(CampaignSignals, HangUpStaysIgnoredUnderNohup) {
   const auto before = ::signal(SIGHUP, SIG_IGN);
   {

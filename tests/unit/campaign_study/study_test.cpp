@@ -93,5 +93,11 @@ TEST(CampaignStudy, EverySettingHasItsDefaultInsideItsRange) {
   }
 }
 
+TEST(CampaignStudy, HelpNamesEverySetting) {
+  const std::string help = study_help();
+  for (const auto& row : execution_rows()) EXPECT_THAT(help, testing::HasSubstr(std::string(row.name) + " "));
+  for (const auto& row : analysis_rows()) EXPECT_THAT(help, testing::HasSubstr(std::string(row.name) + " "));
+}
+
 }  // namespace
 }  // namespace rouleau::campaign

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The solver keeps share/contract.md: files, fields, checks, codes, fencing. Sections are those of that page.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <xxhash.h>
+
+#include <sstream>
+
+#include "restart/small_run.hpp"
+
+namespace rouleau::testing {
+namespace {
+
+using nlohmann::json;
+
+void expect_fields(const json& object, const std::vector<std::string>& names) {
+  for (const auto& name : names) EXPECT_TRUE(object.contains(name)) << name << " is missing in " << object.dump();
+}
+
+/// Makes attempts/<k> with a token, as a manager does.
+void make_attempt(const SmallRun& run, int k, const std::string& token) {
+  std::filesystem::create_directories(run.path(fmt::format("attempts/{}", k)));
+  set_content(run.path(fmt::format("attempts/{}/owner", k)), token + "\n");
+}
+
+TEST(Section2, CheckAnswersWithoutWritingAnything) {
+  const SmallRun run;
+  const Finished finished = run_program({ROULEAU_SOLVER, "check", run.path("run.ini").string(), "--format", "json"});
+  ASSERT_EQ(finished.code, 0) << finished.err;
+  const json answer = json::parse(finished.out);
+  expect_fields(answer, {"contract", "version", "git", "parameters", "identity", "steps", "time_step_us", "nodes",
+                         "triangles", "vertices", "cells", "end_time_s", "samples", "checkpoint_bytes",
+                         "snapshot_bytes", "node_spacing_um", "relative_cost_per_step", "warnings"});
+  EXPECT_EQ(answer.at("contract"), 1);
+  EXPECT_EQ(answer.at("steps"), 40);
+  EXPECT_EQ(answer.at("identity").get<std::string>().size(), 32u);
+  for (const auto& parameter : answer.at("parameters"))
+    expect_fields(parameter, {"name", "value", "default", "kind", "given"});
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(run.path("")), {}), 1) << "only run.ini";
+}
+
+TEST(Section2, IdentityDoesNotSeeSpellingOrDefaults) {
+  const auto identity = [](const Changes& changes) {
+    const SmallRun run(changes);
+    const Finished finished = run_program({ROULEAU_SOLVER, "check", run.path("run.ini").string(), "--format", "json"});
+    return json::parse(finished.out).at("identity").get<std::string>();
+  };
+  const std::string plain = identity({{"fluid.lambda", "4.75"}});
+  EXPECT_EQ(plain, identity({{"fluid.lambda", "4.750"}}));
+  EXPECT_EQ(plain, identity({{"fluid.lambda", "19/4"}, {"numerics.kernel", "4-point"}}));
+  EXPECT_EQ(plain, identity({{"fluid.lambda", "4.75"}, {"output.sample_interval_steps", "20"}}));
+  EXPECT_NE(plain, identity({{"fluid.lambda", "4.76"}}));
+}
+
+TEST(Section4, EverySampleLineCarriesItsCheck) {
+  const SmallRun run;
+  run.finish();
+  std::istringstream lines(run.samples());
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line.rfind("step,time_s,cell,d_um,", 0), 0u);
+  EXPECT_EQ(line.substr(line.rfind(',')), ",check");
+  for (const char* column :
+       {"x_um", "y_um", "z_um", "asphericity", "volume_ratio", "area_ratio", "inclination_deg", "inside_nodes",
+        "inside_ratio", "flips", "mean_velocity_mm_per_s", "pressure_gradient_Pa_per_m", "velocity_x_mm_per_s"})
+    EXPECT_NE(line.find(std::string(",") + column + ","), std::string::npos) << column;
+  int rows = 0;
+  while (std::getline(lines, line)) {
+    const auto comma = line.rfind(',');
+    EXPECT_EQ(line.substr(comma + 1), fmt::format("{:016x}", XXH64(line.data(), comma, 0))) << line;
+    ++rows;
+  }
+  EXPECT_EQ(rows, 5) << "steps 0, 10, 20, 30, 40";
+}
+
+TEST(Sections5To7, RecordsHoldTheirFields) {
+  const SmallRun run;
+  run.finish();
+  expect_fields(run.exit_record(),
+                {"contract", "code", "reason", "step", "end_step", "start_step", "wall_s", "core_s", "ranks", "mlups",
+                 "host", "resumed_from", "rejected_checkpoints", "version", "git", "finished_unix_s"});
+  EXPECT_EQ(run.exit_record().at("code"), 0);
+  const json started = json::parse(content_of(run.path("attempts/1/started.json")));
+  expect_fields(started, {"contract", "host", "pid", "start_ticks", "boot_id", "ranks"});
+  const json progress = json::parse(content_of(run.path("progress.json")));
+  expect_fields(progress,
+                {"contract", "attempt", "token", "step", "end_step", "time_s", "end_time_s", "steps_per_s", "mlups",
+                 "checkpoint_step", "checkpoint_unix_s", "checkpoint_ms", "d_um", "asphericity", "updated_unix_s"});
+  EXPECT_EQ(progress.at("step"), 40);
+  EXPECT_TRUE(std::filesystem::exists(run.path("checkpoints/000000000040.h5")));
+}
+
+TEST(Section6, BadInputLeavesTheRecordOfAManagersAttempt) {
+  SmallRun run;
+  run.set("fluid.lambda", "minus two");
+  make_attempt(run, 1, "t1");
+  EXPECT_EQ(run.run(1, {"--attempt", "1", "--token", "t1"}).code, 65);
+  EXPECT_EQ(run.exit_record().at("code"), 65);
+}
+
+TEST(Section6, WrongCommandLineIs64) {
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{},
+                                             {"--nonsense"},
+                                             {"run.ini", "more.ini"},
+                                             {"run.ini", "--attempt", "2"},
+                                             {"run.ini", "--ranks", "2x2"},
+                                             {"run.ini", "--deadline-s", "-1"},
+                                             {"check", "run.ini", "--format", "xml"},
+                                             {"run.ini", "--attempt", "x"}}) {
+    std::vector<std::string> command{ROULEAU_SOLVER};
+    command.insert(command.end(), words.begin(), words.end());
+    const Finished finished = run_program(command);
+    EXPECT_EQ(finished.code, 64) << (words.empty() ? "" : words.back());
+    EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1) << finished.err;
+  }
+}
+
+TEST(Section6, ParallelErrorIsOneLineAndTheCodeOfAllRanks) {
+  SmallRun run;
+  run.set("numerics.time_step_us", "1000");
+  const Finished finished = run.run(3);
+  EXPECT_EQ(finished.code, 65);
+  std::size_t count = 0;
+  for (std::size_t at = finished.err.find("rouleau-solver:"); at != std::string::npos;
+       at = finished.err.find("rouleau-solver:", at + 1))
+    ++count;
+  EXPECT_EQ(count, 1u) << finished.err;
+}
+
+TEST(Section6, UnwritableDirectoryIs74) {
+  const SmallRun run;
+  set_content(run.path("checkpoints"), "a file where the folder should be");
+  const Finished finished = run.run();
+  EXPECT_EQ(finished.code, 74) << finished.err;
+}
+
+TEST(Section8, OlderAttemptStopsWith76AndWritesNothing) {
+  SmallRun run;
+  make_attempt(run, 1, "old");
+  run.set_steps(20);
+  EXPECT_EQ(run.run(1, {"--attempt", "1", "--token", "old"}).code, 0);
+  const std::string samples = run.samples();
+  make_attempt(run, 2, "new");
+  run.set_steps(40);
+  EXPECT_EQ(run.run(1, {"--attempt", "1", "--token", "old"}).code, 76);
+  EXPECT_EQ(run.samples(), samples);
+  EXPECT_EQ(run.run(1, {"--attempt", "2", "--token", "wrong"}).code, 76);
+  EXPECT_EQ(run.run(1, {"--attempt", "2", "--token", "new"}).code, 0);
+}
+
+}  // namespace
+}  // namespace rouleau::testing
