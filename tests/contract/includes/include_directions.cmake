@@ -1,3 +1,4 @@
+cmake_minimum_required(VERSION 3.22)
 # Fails if a source includes what its folder may not: the arrows of solver/README.md and campaign/README.md.
 set(faults "")
 
