@@ -34,8 +34,31 @@ struct Block {
   Int3 size{};
 };
 
+/// Local nodes [begin, end) along x.
+struct Run {
+  int begin, end;
+};
+
+/// The rows (., j, k) of a field, which may stand in memory turned by some rows: the first ones then stand last.
+template <class T>
+struct Rows {
+  T* first = nullptr;         ///< node x = 0 of the row that stands first
+  std::ptrdiff_t stride = 0;  ///< elements from row to row
+  int halo = 0, size_y = 0;   ///< size_y: rows of a layer, halo included
+  std::ptrdiff_t count = 0;   ///< rows of the field, halo included
+  std::ptrdiff_t turn = 0;    ///< place of the first row, in [0, count)
+
+  /// Node (0, j, k); j and k from -halo to size + halo - 1.
+  T* operator()(int j, int k) const {
+    std::ptrdiff_t row = (j + halo) + std::ptrdiff_t{k + halo} * size_y + turn;
+    if (row >= count) row -= count;
+    return first + row * stride;
+  }
+};
+
 /// Where the value of local node (i, j, k) stands; local coordinates run from -halo to size + halo - 1, x fastest.
-/// Node i = 0 of every row starts on a cache line for elements of 4 and 8 bytes.
+/// Node i = 0 of every row starts on a cache line for elements of 4 and 8 bytes; the low halo of a row stands behind
+/// the row before it.
 struct Layout {
   Int3 size{};
   int halo = 0;
@@ -44,12 +67,18 @@ struct Layout {
   Layout() = default;
   Layout(const Int3& owned, int halo_width) : size(owned), halo(halo_width) {
     constexpr std::ptrdiff_t pad = 16;  // elements: a cache line of floats, two of doubles
-    stride_y = (pad + size[0] + halo + pad - 1) / pad * pad;
+    stride_y = (size[0] + 2 * halo + pad - 1) / pad * pad;
     stride_z = stride_y * (size[1] + 2 * halo);
     origin = pad + stride_y * halo + stride_z * halo;
-    count = stride_z * (size[2] + 2 * halo) + pad;
+    count = stride_z * (size[2] + 2 * halo) + 2 * pad;
   }
   [[nodiscard]] std::ptrdiff_t index(int i, int j, int k) const { return origin + i + j * stride_y + k * stride_z; }
+  /// The rows of data[index].
+  template <class T>
+  [[nodiscard]] Rows<T> rows(T* data) const {
+    const int size_y = size[1] + 2 * halo;
+    return {data + index(0, -halo, -halo), stride_y, halo, size_y, std::ptrdiff_t{size_y} * (size[2] + 2 * halo), 0};
+  }
 };
 
 /// One value a node. (Components of a vector are separate fields.)

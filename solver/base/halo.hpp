@@ -5,6 +5,8 @@
 // edges and corners arrive without messages of their own.
 #pragma once
 
+#include <algorithm>
+
 #include "base/grid.hpp"
 
 namespace rouleau {
@@ -28,25 +30,26 @@ inline Box phase_box(const Layout& layout, int axis, int first, int last) {
   return box;
 }
 
-/// Sets layer `to` along `axis` from layer `from` of the same values: data[index] with `layout`.
+/// Sets layer `to` along `axis` from layer `from` of the same field.
 template <class T>
-void copy_layer(const Layout& layout, T* data, int axis, int from, int to) {
+void copy_layer(const Layout& layout, const Rows<T>& rows, int axis, int from, int to) {
   const Box box = phase_box(layout, axis, to, to + 1);
-  const Int3 unit{axis == 0, axis == 1, axis == 2};
-  const std::ptrdiff_t shift = layout.index(unit[0], unit[1], unit[2]) - layout.index(0, 0, 0);
+  const Int3 shift{axis == 0 ? from - to : 0, axis == 1 ? from - to : 0, axis == 2 ? from - to : 0};
   for (int k = box.begin[2]; k < box.end[2]; ++k)
-    for (int j = box.begin[1]; j < box.end[1]; ++j)
-      for (std::ptrdiff_t n = layout.index(box.begin[0], j, k), end = layout.index(box.end[0], j, k); n < end; ++n)
-        data[n] = data[n + (from - to) * shift];
+    for (int j = box.begin[1]; j < box.end[1]; ++j) {
+      const T* const source = rows(j + shift[1], k + shift[2]) + shift[0];
+      std::copy(source + box.begin[0], source + box.end[0], rows(j, k) + box.begin[0]);
+    }
 }
 
 /// Fills both halos along an axis whose period lies within the block. Call for x, y, z in this order.
 template <class T>
 void fill_periodic(Field<T>& field, int axis) {
   const int n = field.layout.size[axis];
+  const Rows<T> rows = field.layout.rows(field.data.data());
   for (int d = 1; d <= field.layout.halo; ++d) {
-    copy_layer(field.layout, field.data.data(), axis, n - 1 - (d - 1) % n, -d);
-    copy_layer(field.layout, field.data.data(), axis, (d - 1) % n, n - 1 + d);
+    copy_layer(field.layout, rows, axis, n - 1 - (d - 1) % n, -d);
+    copy_layer(field.layout, rows, axis, (d - 1) % n, n - 1 + d);
   }
 }
 

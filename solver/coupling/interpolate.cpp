@@ -2,17 +2,18 @@
 #include "coupling/interpolate.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "base/lanes.hpp"
 
 namespace rouleau {
 namespace {
 
-/// A vertex's stencil along one axis: local nodes from `stencil.first` on, within the block or its halo.
+/// A stencil along one axis that something cuts: local nodes from `first` on, within the block or its halo.
 template <int width>
-AxisStencil<width> reading_stencil(const Stencils& s, int axis, std::int32_t v) {
+AxisStencil<width> reading_stencil(const Stencils& s, int axis, std::size_t v) {
   const int n = s.lattice.size[axis], begin = s.block.begin[axis], size = s.block.size[axis];
-  const int first = s.first[axis][static_cast<std::size_t>(v)];
-  const double* const weight = s.weight[axis].data() + std::ptrdiff_t{width} * v;
+  const int first = s.first[axis][v];
+  const double* const weight = s.weights(axis, v);
   if (!s.lattice.periodic[axis] && (first < 0 || first + width > n)) {
     AxisStencil<width> inside = dropped<width>(first, weight, n);
     inside.first -= begin;
@@ -40,32 +41,49 @@ Vec3 wall_part(const AxisStencil<width>& x, const AxisStencil<width>& y, const A
   return of_axis(z, 2) + within_z * (of_axis(y, 1) + within_y * of_axis(x, 0));
 }
 
+/// Sum over the nodes of a stencil whose first node stands at `first`. One sum a node along x, added up at the end.
+template <int width, class Real>
+Vec3 weighted_sum(const std::array<const Real*, 3>& u, const Layout& layout, std::ptrdiff_t first, const double* x,
+                  const double* y, const double* z) {
+  std::array<Lanes<double, width>, 3> sum{};
+  for (int c = 0; c < width; ++c)
+    for (int b = 0; b < width; ++b) {
+      const double share = y[b] * z[c];
+      const std::ptrdiff_t row = first + b * layout.stride_y + c * layout.stride_z;
+      for (std::size_t component = 0; component < 3; ++component)
+        sum[component] += share * load_lanes<double, width>(u[component] + row);
+    }
+  Vec3 total = Vec3::Zero();
+  for (std::size_t component = 0; component < 3; ++component) {
+    const auto weighted = load_lanes<double, width>(x) * sum[component];
+    for (int a = 0; a < width; ++a) total[static_cast<Eigen::Index>(component)] += weighted[a];
+  }
+  return total;
+}
+
+template <class Real, int width>
+Vec3 velocity_at_cut(const std::array<const Real*, 3>& u, const Layout& layout, const WallVelocities& walls,
+                     const Stencils& s, std::size_t v) {
+  const auto x = reading_stencil<width>(s, 0, v);
+  const auto y = reading_stencil<width>(s, 1, v);
+  const auto z = reading_stencil<width>(s, 2, v);
+  return weighted_sum<width>(u, layout, layout.index(x.first, y.first, z.first), x.weight.data(), y.weight.data(),
+                             z.weight.data()) +
+         wall_part(x, y, z, walls);
+}
+
 template <class Phi, class Real>
-void interpolate_with(const VectorField<Real>& u, const WallVelocities& walls, const Stencils& s, VectorArray& U) {
+void interpolate_with(const VectorField<Real>& field, const WallVelocities& walls, const Stencils& s, VectorArray& U) {
   constexpr int width = Phi::width;
-  const Layout& layout = u[0].layout;
-  for (const std::int32_t v : s.owned) {
-    const auto x = reading_stencil<width>(s, 0, v);
-    const auto y = reading_stencil<width>(s, 1, v);
-    const auto z = reading_stencil<width>(s, 2, v);
-    // One sum a node of the x stencil: the four lanes of a vector.
-    std::array<std::array<double, width>, 3> sum{};
-    for (int c = 0; c < width; ++c)
-      for (int b = 0; b < width; ++b) {
-        const double share = y.weight[static_cast<std::size_t>(b)] * z.weight[static_cast<std::size_t>(c)];
-        const std::ptrdiff_t start = layout.index(x.first, y.first + b, z.first + c);
-        for (std::size_t component = 0; component < 3; ++component) {
-          const Real* const row = u[component].data.data() + start;
-          double* const lane = sum[component].data();
-#pragma omp simd
-          for (int a = 0; a < width; ++a) lane[a] += share * static_cast<double>(row[a]);
-        }
-      }
-    Vec3 velocity = wall_part(x, y, z, walls);
-    for (std::size_t component = 0; component < 3; ++component)
-      for (std::size_t a = 0; a < width; ++a)
-        velocity[static_cast<Eigen::Index>(component)] += x.weight[a] * sum[component][a];
-    set(U, static_cast<std::size_t>(v), velocity);
+  const Layout layout = field[0].layout;
+  const std::array<const Real*, 3> u{field[0].data.data(), field[1].data.data(), field[2].data.data()};
+  for (const std::int32_t vertex : s.owned) {
+    const auto v = static_cast<std::size_t>(vertex);
+    const Int3 local = s.local_first(v);
+    set(U, v,
+        s.is_whole(local) ? weighted_sum<width>(u, layout, layout.index(local[0], local[1], local[2]), s.weights(0, v),
+                                                s.weights(1, v), s.weights(2, v))
+                          : velocity_at_cut<Real, width>(u, layout, walls, s, v));
   }
 }
 

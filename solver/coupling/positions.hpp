@@ -2,6 +2,8 @@
 // Where a vertex may be: finite, and between the walls.
 #pragma once
 
+#include <algorithm>
+
 #include "base/grid.hpp"
 #include "membrane/cells.hpp"
 
@@ -17,6 +19,8 @@ struct PositionRange {
   }
   /// False for anything that is not a number, too.
   [[nodiscard]] bool contains(double X) const { return X >= low && X <= high; }
+  /// X itself if it is in the range; its low end for anything that is not a number.
+  [[nodiscard]] double nearest(double X) const { return std::min(high, std::max(low, X)); }
 };
 
 /// Throws Error(physics) for the lowest vertex outside of its range; returns if there is none.

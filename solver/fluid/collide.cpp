@@ -3,6 +3,7 @@
 #include "fluid/collide.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "fluid/row.hpp"
@@ -12,9 +13,8 @@ namespace rouleau {
 namespace {
 
 template <class Real>
-TwoFluids<TrtRates<Real>> in_precision(const TwoFluids<TrtRates<>>& r) {
-  const auto cast = [](const TrtRates<>& s) { return TrtRates<Real>{Real(s.even), Real(s.odd)}; };
-  return {cast(r.outside), cast(r.inside)};
+TwoFluids<TrtFactors<Real>> in_precision(const TwoFluids<TrtRates<>>& r) {
+  return {factors_of<Real>(r.outside), factors_of<Real>(r.inside)};
 }
 
 template <class Real>
@@ -25,59 +25,126 @@ TwoFluids<MrtRates<Real>> in_precision(const TwoFluids<MrtRates<>>& r) {
   return {cast(r.outside), cast(r.inside)};
 }
 
-bool asked(std::span<const std::uint8_t> mask, std::size_t row) { return mask.empty() || mask[row] != 0; }
-
 /// Points `row` at the nodes (., j, k).
 template <class Real>
-void place_row(Row<Real>& row, Fluid<Real>& fluid, int j, int k) {
-  const std::ptrdiff_t node = fluid.f.layout.index(0, j, k);
-  for (int q = 0; q < Q; ++q) {
-    row.from[q] = fluid.f.direction(q) + node - fluid.f.offset(q);
-    row.to[q] = fluid.f_next.direction(q) + node;
-  }
+void place_row(Row<Real>& row, Fluid<Real>& fluid, const std::array<Rows<Real>, Q>& rows, int j, int k) {
+  for (int q = 0; q < Q; ++q) row.f[q] = rows[q](j - c_q[q][1], k - c_q[q][2]);
   for (int a = 0; a < 3; ++a) {
     row.g[a] = &fluid.g[a](0, j, k);
     row.u[a] = &fluid.u[a](0, j, k);
   }
 }
 
-/// Whether the row has a node inside a cell; if so, sets the flags in the type of the populations: mixed with bytes,
-/// the loop would be vectorised over 64 nodes at a time and run out of registers.
+/// What streams into both ends of a row, from the halo, or from the other end if the row closes in itself: sets the
+/// node beyond the east end, returns what comes from the west.
 template <class Real>
-bool load_flags(const std::uint8_t* flags, int size, Real* inside) {
-  if (std::memchr(flags, 1, static_cast<std::size_t>(size)) == nullptr) return false;
-  std::transform(flags, flags + size, inside, [](std::uint8_t flag) { return Real(flag); });
+WestPacks<Real> stream_in(const Row<Real>& row, int size, bool closes) {
+  WestPacks<Real> west;
+  for (std::size_t e = 0; e < eastward.size(); ++e)
+    west[e] = broadcast<Pack<Real>>(row.f[eastward[e]][closes ? size - 1 : -1]);
+  if (closes)
+    for (const int q : westward) row.f[q][size] = row.f[q][0];
+  return west;
+}
+
+/// Whether some of the nodes are inside a cell; if so, sets their flags in the type of the populations.
+template <class Real>
+bool load_flags(const std::uint8_t* flags, Run run, Real* inside) {
+  const auto* const begin = flags + run.begin;
+  if (std::memchr(begin, 1, static_cast<std::size_t>(run.end - run.begin)) == nullptr) return false;
+  std::transform(begin, flags + run.end, inside + run.begin, [](std::uint8_t flag) { return Real(flag); });
   return true;
+}
+
+/// A row of one pack for the nodes left over behind the last whole pack of a row.
+template <class Real>
+class LeftOver {
+ public:
+  explicit LeftOver(int size) : begin_(size / lanes<Real> * lanes<Real>), count_(size - begin_) {}
+
+  [[nodiscard]] Run nodes() const { return {begin_, begin_ + count_}; }
+
+  /// Call before the whole packs are stepped: they overwrite the node to the west.
+  void load(const Row<Real>& row, const WestPacks<Real>& into_row) {
+    if (count_ == 0) return;
+    row_.body_force = row.body_force;
+    for (std::size_t e = 0; e < eastward.size(); ++e)
+      west_[e] = begin_ == 0 ? into_row[e] : broadcast<Pack<Real>>(row.f[eastward[e]][begin_ - 1]);
+    for (std::size_t q = 0; q < Q; ++q) row_.f[q] = copy_in(values_[q], row.f[q], count_ + 1);
+    for (std::size_t a = 0; a < 3; ++a) row_.g[a] = copy_in(values_[Q + a], row.g[a], count_);
+    for (std::size_t a = 0; a < 3; ++a) row_.u[a] = values_[Q + 3 + a].data();
+  }
+
+  template <class Rates>
+  void step(const Row<Real>& row, const RowKind& kind, const TwoFluids<Rates>& rates) {
+    if (count_ == 0) return;
+    if (kind.has_inside) row_.inside = copy_in(values_[Q + 6], row.inside, count_);
+    step_row(row_, {0, lanes<Real>}, kind, rates, west_);
+    for (std::size_t q = 0; q < Q; ++q) std::copy_n(row_.f[q], count_, row.f[q] + begin_);
+    for (std::size_t a = 0; a < 3 && kind.has_membrane; ++a) std::copy_n(row_.u[a], count_, row.u[a] + begin_);
+  }
+
+ private:
+  using Values = std::array<Real, 2 * lanes<Real>>;
+
+  Real* copy_in(Values& to, const Real* row, int count) const {
+    std::copy_n(row + begin_, count, to.data());
+    return to.data();
+  }
+
+  int begin_, count_;
+  std::array<Values, Q + 7> values_{};
+  WestPacks<Real> west_{};
+  Row<Real> row_;
+};
+
+/// The runs of a row before, within and behind the segments that membranes touch. `size`: nodes in whole packs.
+std::array<Run, 3> runs_of(unsigned segments, int shift, int size) {
+  if (segments == 0) return {{{0, size}, {size, size}, {size, size}}};
+  const int begin = std::min(size, std::countr_zero(segments) << shift);
+  const int end = std::min(size, (8 - std::countl_zero(static_cast<std::uint8_t>(segments))) << shift);
+  return {{{0, begin}, {begin, end}, {end, size}}};
 }
 
 }  // namespace
 
 template <class Real>
 void collide_and_stream(Fluid<Real>& fluid, const Collision& collision, const Field<std::uint8_t>& inside,
-                        const Vec3& body_force, const RowMasks& masks) {
+                        const Vec3& body_force, const MembraneRows& membranes) {
   const Int3 size = fluid.block.size;
+  std::array<Rows<Real>, Q> rows;
+  for (int q = 0; q < Q; ++q) rows[q] = fluid.f.rows(q);
+  LeftOver<Real> left_over(size[0]);
+  const int whole_packs = size[0] / lanes<Real> * lanes<Real>;
   Row<Real> row;
-  row.size = size[0];
   row.body_force = {Real(body_force[0]), Real(body_force[1]), Real(body_force[2])};
   row.inside = fluid.inside_row.data();
-  std::visit(
-      [&](const auto& law) {
-        const auto rates = in_precision<Real>(law);
-        std::size_t r = 0;
-        for (int k = 0; k < size[2]; ++k)
-          for (int j = 0; j < size[1]; ++j, ++r) {
-            place_row(row, fluid, j, k);
-            const bool has_inside = load_flags(&inside(0, j, k), size[0], fluid.inside_row.data());
-            step_row(row, {asked(masks.has_force, r), asked(masks.wants_velocity, r), has_inside}, rates);
-          }
-      },
-      collision);
-  std::swap(fluid.f, fluid.f_next);
+  const auto step_rows = [&](const auto& rates) {
+    std::size_t r = 0;
+    for (int k = 0; k < size[2]; ++k)
+      for (int j = 0; j < size[1]; ++j, ++r) {
+        place_row(row, fluid, rows, j, k);
+        WestPacks<Real> west = stream_in(row, size[0], fluid.closes_x());
+        left_over.load(row, west);
+        const std::uint8_t* const flags = &inside(0, j, k);
+        const unsigned segments = membranes.segments.empty() ? 0xff : membranes.segments[r];
+        const std::array<Run, 3> runs = runs_of(segments, membranes.segment_shift, whole_packs);
+        for (std::size_t p = 0; p < runs.size(); ++p) {
+          if (runs[p].begin == runs[p].end) continue;
+          const bool has_inside = load_flags(flags, runs[p], fluid.inside_row.data());
+          step_row(row, runs[p], {p == 1, has_inside}, rates, west);
+        }
+        const bool has_inside = load_flags(flags, left_over.nodes(), fluid.inside_row.data());
+        left_over.step(row, {(segments >> (whole_packs >> membranes.segment_shift) & 1) != 0, has_inside}, rates);
+      }
+  };
+  std::visit([&](const auto& law) { step_rows(in_precision<Real>(law)); }, collision);
+  fluid.f.advance();
 }
 
 template void collide_and_stream(Fluid<float>&, const Collision&, const Field<std::uint8_t>&, const Vec3&,
-                                 const RowMasks&);
+                                 const MembraneRows&);
 template void collide_and_stream(Fluid<double>&, const Collision&, const Field<std::uint8_t>&, const Vec3&,
-                                 const RowMasks&);
+                                 const MembraneRows&);
 
 }  // namespace rouleau

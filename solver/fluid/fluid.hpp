@@ -8,34 +8,38 @@
 
 namespace rouleau {
 
+/// Nodes beyond a block whose velocity a kernel of four points may read.
+inline constexpr int velocity_halo = 2;
+
 /// Lattice units, reference density 1.
 ///
 /// What a checkpoint must hold is `f` at the owned nodes, and nothing else: the populations after the last collision,
 /// before they stream. Halos and nodes beyond walls are rebuilt from it (exchange or `fill_periodic`, then
-/// `fill_walls`); `f_next` is scratch; `u` and `g` are made anew in each step. `f` and `f_next` are swapped by each
-/// step: do not keep pointers.
+/// `fill_walls`); `u` and `g` are made anew in each step. A step renumbers the rows of `f`: do not keep pointers.
 template <class Real>
 struct Fluid {
   Lattice lattice;
   Block block;
   std::array<std::array<Vec3, 2>, 3>
-      wall_velocity;         ///< [axis][side], used on axes that are not periodic; within the wall
-  Populations<Real> f;       ///< f_q - w_q after collision: the state
-  Populations<Real> f_next;  ///< what the step in progress writes
-  VectorField<Real> u;       ///< velocity, halo 2; set by a step in the rows that want it
-  VectorField<Real> g;       ///< membrane force per volume, halo 0; read by a step
-  Array<Real> inside_row;    ///< [x] workspace of `collide_and_stream`: the flags of one row
+      wall_velocity;       ///< [axis][side], used on axes that are not periodic; within the wall
+  Populations<Real> f;     ///< f_q - w_q after collision: the state
+  VectorField<Real> u;     ///< velocity; set by a step in the rows that want it
+  VectorField<Real> g;     ///< membrane force per volume, halo 0; read by a step
+  Array<Real> inside_row;  ///< [x, to whole packs] workspace of `collide_and_stream`: the flags of one row
 
   Fluid(const Lattice& whole, const Block& owned)
       : lattice(whole),
         block(owned),
         f(owned.size),
-        f_next(owned.size),
-        u{Field<Real>(owned.size, 2), Field<Real>(owned.size, 2), Field<Real>(owned.size, 2)},
+        u{Field<Real>(owned.size, velocity_halo), Field<Real>(owned.size, velocity_halo),
+          Field<Real>(owned.size, velocity_halo)},
         g{Field<Real>(owned.size, 0), Field<Real>(owned.size, 0), Field<Real>(owned.size, 0)},
-        inside_row(static_cast<std::size_t>(owned.size[0])) {
+        inside_row(static_cast<std::size_t>(owned.size[0]) + cache_line) {
     for (auto& sides : wall_velocity) sides.fill(Vec3::Zero());
   }
+
+  /// Whether the rows close in themselves: x is periodic and not cut. Then a step needs no halo of f along x.
+  [[nodiscard]] bool closes_x() const { return lattice.periodic[0] && block.size[0] == lattice.size[0]; }
 };
 
 /// All of the lattice in one block.

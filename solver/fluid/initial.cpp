@@ -42,7 +42,7 @@ void set_equilibrium(Fluid<Real>& fluid, const std::function<Vec3(const Int3&)>&
       for (int i = 0; i < block.size[0]; ++i) {
         const Vec3 u = u_of({block.begin[0] + i, block.begin[1] + j, block.begin[2] + k});
         const std::array<double, Q> f = equilibrium_after_collision(u, body_force);
-        for (int q = 0; q < Q; ++q) fluid.f.direction(q)[fluid.f.layout.index(i, j, k)] = Real(f[q]);
+        for (int q = 0; q < Q; ++q) fluid.f.at(q, i, j, k) = Real(f[q]);
         for (int a = 0; a < 3; ++a) fluid.u[a](i, j, k) = Real(u[a]);
       }
 }

@@ -9,8 +9,8 @@ namespace rouleau {
 template <class Real>
 void fill_periodic(Populations<Real>& f, int axis) {
   const int n = f.layout.size[axis];
-  for (const int q : directions_out(axis, 0)) copy_layer(f.layout, f.direction(q), axis, 0, n);
-  for (const int q : directions_out(axis, 1)) copy_layer(f.layout, f.direction(q), axis, n - 1, -1);
+  for (const int q : directions_out(axis, 0)) copy_layer(f.layout, f.rows(q), axis, 0, n);
+  for (const int q : directions_out(axis, 1)) copy_layer(f.layout, f.rows(q), axis, n - 1, -1);
 }
 
 template void fill_periodic(Populations<float>&, int);

@@ -13,6 +13,14 @@ bool touches_wall(const Lattice& lattice, const Block& block, int axis, int side
   return side == 0 ? block.begin[axis] == 0 : block.begin[axis] + block.size[axis] == lattice.size[axis];
 }
 
+/// A row beyond a wall has been set at x - c for the owned x; sets the owned node that this leaves out, too: the one a
+/// period away from the halo node that was set instead.
+template <class Real>
+void close_row(Real* row, int c, int size) {
+  if (c > 0) row[size - 1] = row[-1];
+  if (c < 0) row[0] = row[size];
+}
+
 /// One wall: for the owned nodes n next to it and each direction q that comes from beyond it.
 template <class Real>
 void fill_wall(Fluid<Real>& fluid, int axis, int side) {
@@ -23,12 +31,13 @@ void fill_wall(Fluid<Real>& fluid, int axis, int side) {
   for (const int back : directions_out(axis, side)) {
     const int q = opposite(back);
     const Real moving = Real(6 * w_q(q) * (c_q[q][0] * u[0] + c_q[q][1] * u[1] + c_q[q][2] * u[2]));
-    const Real* leaving = fluid.f.direction(back);
-    Real* arriving = fluid.f.direction(q) - fluid.f.offset(q);
+    const Rows<Real> leaving = fluid.f.rows(back), arriving = fluid.f.rows(q);
     for (int k = begin[2]; k < end[2]; ++k)
       for (int j = begin[1]; j < end[1]; ++j) {
-        const std::ptrdiff_t first = fluid.f.layout.index(begin[0], j, k), last = first + end[0] - begin[0];
-        for (std::ptrdiff_t n = first; n < last; ++n) arriving[n] = leaving[n] + moving;
+        const Real* const from = leaving(j, k);
+        Real* const to = arriving(j - c_q[q][1], k - c_q[q][2]) - c_q[q][0];
+        for (int i = begin[0]; i < end[0]; ++i) to[i] = from[i] + moving;
+        if (fluid.closes_x()) close_row(to + c_q[q][0], c_q[q][0], end[0]);
       }
   }
 }
@@ -45,7 +54,7 @@ void fill_walls(Fluid<Real>& fluid) {
 template <class Real>
 void fill_halos(Fluid<Real>& fluid) {
   for (int axis = 0; axis < 3; ++axis)
-    if (fluid.lattice.periodic[axis]) fill_periodic(fluid.f, axis);
+    if (fluid.lattice.periodic[axis] && !(axis == 0 && fluid.closes_x())) fill_periodic(fluid.f, axis);
   fill_walls(fluid);
 }
 

@@ -19,7 +19,7 @@ void fill_walls(Fluid<Real>& fluid);
 /// throws Error(bad_input) if a wall moves out of its plane, moves on a periodic axis, or is faster than Mach 0.3
 void require_wall_velocities(const Lattice& lattice, const std::array<std::array<Vec3, 2>, 3>& wall_velocity);
 
-/// On one rank that owns the whole lattice: all halos of fluid.f, periodic ones first, then walls.
+/// On one rank that owns the whole lattice: all halos of fluid.f that a step reads, periodic ones first, then walls.
 template <class Real>
 void fill_halos(Fluid<Real>& fluid);
 

@@ -35,9 +35,11 @@ class Tracker {
   std::int64_t update(const Cells& cells, Flags& flags);
 
  private:
+  /// Sets shell_ and closest_; returns the number of nodes in shell_.
   template <int radius, class PointOf, class NormalOf>
-  void collect(std::size_t points, PointOf point_of, NormalOf normal_of);
-  std::int64_t settle(Flags& flags);
+  std::size_t collect(std::size_t points, PointOf point_of, NormalOf normal_of);
+  /// Sets the flags, and closest_ back; returns the number of flags that changed.
+  std::int64_t settle(std::size_t shell_nodes, Flags& flags);
 
   Tracking variant_;
   Lattice lattice_;
@@ -47,6 +49,9 @@ class Tracker {
   /// says `inside`. Infinite between updates.
   std::vector<double> closest_;
   std::vector<std::int64_t> shell_;  ///< (B) of the paper: indices of the nodes with an entry in closest_, each once
+  /// [2 for each entry of cells.around] the two other corners of the triangle, in its own turn: empty for face normals
+  std::vector<std::int32_t> opposite_;
+  Array<double> packed_X_;  ///< [vertices][4] positions and a zero: workspace, empty for face normals
 };
 
 }  // namespace rouleau

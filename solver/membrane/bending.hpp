@@ -5,14 +5,18 @@
 //   L_i = sum_j (cot theta_1 + cot theta_2) (x_i - x_j),   A_i = 1/8 sum_j (cot theta_1 + cot theta_2) |x_i - x_j|^2
 // (the print of Eq. 13 lost the square) the Laplacian is L_i / (2 A_i), its length is 2 |H|, and Eq. 10 becomes
 //   E = kappa_B/2 sum_i (2 H_i)^2 A_i = kappa_B/8 sum_i |L_i|^2 / A_i.
-// Obtuse triangles are taken as the formula says. The gradient is exact: with p_i = L_i / A_i and s_i = |p_i|^2,
-//   dE = kappa_B/8 sum_i (2 p_i . dL_i - s_i dA_i),
-// which again is a sum over triangles, given p and s at the three corners.
+// Obtuse triangles are taken as the formula says. The gradient is exact: with P_i = kappa_B/4 L_i / A_i and
+// S_i = kappa_B/64 |L_i / A_i|^2,
+//   dE = sum_i (P_i . dL_i - 8 S_i dA_i),
+// which again is a sum over triangles, given P and S at the three corners.
+//
+// A triangle's angles follow from its metric g: with D = sqrt(det g) = 2 A,
+//   cot_a = g12 / D,   cot_b = (g11 - g12) / D,   cot_c = (g22 - g12) / D.
 #pragma once
 
 #include <cmath>
 
-#include "membrane/skalak.hpp"
+#include "membrane/metric.hpp"
 #include "membrane/v3.hpp"
 
 namespace rouleau {
@@ -20,16 +24,12 @@ namespace rouleau {
 /// Cotangents of the corner angles. Edge bc faces corner a, and so on.
 struct Cotangents {
   double a, b, c;
-  V3 normal;            ///< of unit length, outward
-  double inverse_area;  ///< 1 / (2 A)
+  double inverse_D;  ///< 1 / (2 A)
 };
 
-/// u = b - a, v = c - a.
-inline Cotangents cotangents(V3 u, V3 v) {
-  const V3 w = v - u;
-  const V3 N = cross(u, v);
-  const double inverse = 1.0 / std::sqrt(dot(N, N));
-  return {dot(u, v) * inverse, -dot(u, w) * inverse, dot(v, w) * inverse, inverse * N, inverse};
+inline Cotangents cotangents(const Metric& g) {
+  const double inverse = 1.0 / std::sqrt(determinant(g));
+  return {g.g12 * inverse, (g.g11 - g.g12) * inverse, (g.g22 - g.g12) * inverse, inverse};
 }
 
 /// What one triangle adds to L and A of its corners.
@@ -39,51 +39,58 @@ struct CornerCurvatures {
 };
 
 inline CornerCurvatures corner_curvatures(V3 u, V3 v) {
-  const V3 w = v - u;
-  const Cotangents cot = cotangents(u, v);
-  const V3 along_u = cot.c * u, along_v = cot.b * v, along_w = cot.a * w;
-  const double area_u = 0.125 * dot(along_u, u), area_v = 0.125 * dot(along_v, v), area_w = 0.125 * dot(along_w, w);
-  return {-(along_u + along_v), along_u - along_w, along_v + along_w,
-          area_u + area_v,      area_u + area_w,   area_v + area_w};
+  const Metric g = metric(u, v);
+  const Cotangents cot = cotangents(g);
+  // L_b = cot_c u - cot_a (v - u), and cot_c + cot_a = g22 / D; L_c likewise.
+  const V3 L_b = fused(g.g22 * cot.inverse_D, u, -cot.a * v), L_c = fused(g.g11 * cot.inverse_D, v, -cot.a * u);
+  const double area_u = 0.125 * cot.c * g.g11, area_v = 0.125 * cot.b * g.g22;
+  const double area_w = 0.125 * cot.a * ((g.g11 - g.g12) + (g.g22 - g.g12));
+  return {-(L_b + L_c), L_b, L_c, area_u + area_v, area_u + area_w, area_v + area_w};
 }
 
-/// p = L / A and s = p.p of a vertex.
+/// P and S of a vertex.
 struct VertexCurvature {
-  V3 p;
-  double s;
+  V3 P;
+  double S;
 };
 
-inline VertexCurvature vertex_curvature(V3 L, double A) {
+inline VertexCurvature vertex_curvature(V3 L, double A, double kappa_B) {
   const V3 p = (1.0 / A) * L;
-  return {p, dot(p, p)};
+  return {kappa_B / 4 * p, kappa_B / 64 * fused_dot(p, p)};
 }
 
 /// Bending energy of a vertex.
 inline double bending_energy(V3 L, double A, double kappa_B) { return kappa_B / 8 * (dot(L, L) / A); }
 
-/// The part of -dE/dX that one triangle gives to its corners b and c; that on a is minus their sum.
-///
-/// Let e run over the edges: d_e the edge, cot_e that of the corner facing it, dp_e the difference of p along the edge,
-/// sigma_e the sum of s over its ends, q_e = 2 dp_e . d_e - sigma_e |d_e|^2 / 8. The triangle's share of dE is
-///   kappa_B/8 sum_e [q_e d(cot_e) + cot_e (2 dp_e - sigma_e d_e / 4) . d(d_e)].
-inline CornerForces bending_forces(V3 u, V3 v, const VertexCurvature& a, const VertexCurvature& b,
-                                   const VertexCurvature& c, double kappa_B) {
-  const V3 w = v - u;
-  const Cotangents cot = cotangents(u, v);
-  const V3 dp_u = b.p - a.p, dp_v = c.p - a.p, dp_w = c.p - b.p;
-  const double sigma_u = a.s + b.s, sigma_v = a.s + c.s, sigma_w = b.s + c.s;
-  const double q_u = 2 * dot(dp_u, u) - 0.125 * sigma_u * dot(u, u);
-  const double q_v = 2 * dot(dp_v, v) - 0.125 * sigma_v * dot(v, v);
-  const double q_w = 2 * dot(dp_w, w) - 0.125 * sigma_w * dot(w, w);
-  const V3 t_u = cot.c * (2 * dp_u - (0.25 * sigma_u) * u);
-  const V3 t_v = cot.b * (2 * dp_v - (0.25 * sigma_v) * v);
-  const V3 t_w = cot.a * (2 * dp_w - (0.25 * sigma_w) * w);
-  // cot_a = u.v / D, cot_b = -u.w / D, cot_c = v.w / D with D = |u x v|; dD = du . (v x n) + dv . (n x u).
-  const double k_a = q_w * cot.inverse_area, k_b = q_v * cot.inverse_area, k_c = q_u * cot.inverse_area;
-  const double k_D = (q_w * cot.a + q_v * cot.b + q_u * cot.c) * cot.inverse_area;
-  const V3 gradient_u = t_u - t_w + (k_a - k_c) * v + k_b * (u - w) - k_D * cross(v, cot.normal);
-  const V3 gradient_v = t_v + t_w + (k_a - k_b) * u + k_c * (v + w) - k_D * cross(cot.normal, u);
-  return {(-kappa_B / 8) * gradient_u, (-kappa_B / 8) * gradient_v};
+/// A triangle's share of dE: by its metric, and by its edges at fixed metric.
+struct BendingGradient {
+  MetricGradient by_metric;
+  V3 by_u, by_v;
+};
+
+/// The triangle's share of E at fixed P and S is sum_e cot_e q_e over its edges e: d_e the edge, cot_e that of the
+/// corner facing it, dP_e the difference of P along it, sigma_e the sum of S over its ends,
+///   q_e = dP_e . d_e - sigma_e |d_e|^2.
+/// With h = q_w - q_u - q_v for the third edge w = v - u, it is T = (q_u g22 + q_v g11 + h g12) / D.
+inline BendingGradient bending_gradient(const Metric& g, V3 u, V3 v, const VertexCurvature& a, const VertexCurvature& b,
+                                        const VertexCurvature& c) {
+  const Cotangents cot = cotangents(g);
+  const V3 dP_u = b.P - a.P, dP_v = c.P - a.P;
+  const double sigma_u = a.S + b.S, sigma_v = a.S + c.S, sigma_w = b.S + c.S;
+  const double length2_w = (g.g11 - g.g12) + (g.g22 - g.g12);
+  const double q_u = std::fma(-sigma_u, g.g11, fused_dot(dP_u, u));
+  const double q_v = std::fma(-sigma_v, g.g22, fused_dot(dP_v, v));
+  const double q_w = std::fma(-sigma_w, length2_w, fused_dot(dP_v - dP_u, v - u));
+  const double h = q_w - q_u - q_v;
+  const double i = cot.inverse_D;
+  const double half_T_over_det = 0.5 * (i * i * i) * std::fma(q_u, g.g22, std::fma(q_v, g.g11, h * g.g12));
+  const double k_u = sigma_u * cot.c, k_v = sigma_v * cot.b, k_w = sigma_w * cot.a;
+  const double stretch_u = g.g22 * i, stretch_v = g.g11 * i;
+  return {{std::fma(q_v, i, std::fma(-half_T_over_det, g.g22, -(k_u + k_w))),
+           std::fma(h, i, 2 * std::fma(half_T_over_det, g.g12, k_w)),
+           std::fma(q_u, i, std::fma(-half_T_over_det, g.g11, -(k_v + k_w)))},
+          fused(stretch_u, dP_u, -cot.a * dP_v),
+          fused(stretch_v, dP_v, -cot.a * dP_u)};
 }
 
 }  // namespace rouleau

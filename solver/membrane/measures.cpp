@@ -15,12 +15,42 @@
 namespace rouleau {
 namespace {
 
-/// Fixed-order sum of a vector a triangle.
-template <class Term>
-Vec3 sum_over_triangles(const CellRange& range, Term&& term) {
-  return {ordered_sum(range.triangle_begin, range.triangle_end, [&](std::ptrdiff_t t) { return term(t).x; }),
-          ordered_sum(range.triangle_begin, range.triangle_end, [&](std::ptrdiff_t t) { return term(t).y; }),
-          ordered_sum(range.triangle_begin, range.triangle_end, [&](std::ptrdiff_t t) { return term(t).z; })};
+/// Of a cell about its first vertex: volume, the integral of the position over it, and their time derivatives when the
+/// vertices move with cells.U.
+struct VolumeMoments {
+  V3 origin, drift;  ///< X and U of the first vertex
+  double V = 0, V_rate = 0;
+  V3 first, first_rate;
+};
+
+// A triangle and an origin o span a tetrahedron of volume a . (b x c) / 6 with its centre at (a + b + c) / 4 from o;
+// the signed sum over a closed mesh does not depend on o. The first vertex is taken, to keep the sums small, and moves.
+VolumeMoments volume_moments(const Cells& cells, std::size_t cell) {
+  const CellRange& range = cells.ranges[cell];
+  const ConstV3s X(cells.X), U(cells.U);
+  VolumeMoments m;
+  m.origin = X[range.vertex_begin];
+  m.drift = U[range.vertex_begin];
+  for (std::int32_t t = range.triangle_begin; t < range.triangle_end; ++t) {
+    const std::int32_t a = cells.triangles.a[t], b = cells.triangles.b[t], c = cells.triangles.c[t];
+    const V3 p = X[a] - m.origin, q = X[b] - m.origin, r = X[c] - m.origin;
+    const V3 dp = U[a] - m.drift, dq = U[b] - m.drift, dr = U[c] - m.drift;
+    const V3 qr = cross(q, r);
+    const double V = dot(p, qr) / 6;
+    const double V_rate = (dot(dp, qr) + dot(dq, cross(r, p)) + dot(dr, cross(p, q))) / 6;
+    const V3 centre = 0.25 * (p + q + r), centre_rate = 0.25 * (dp + dq + dr);
+    m.V += V;
+    m.V_rate += V_rate;
+    m.first = m.first + V * centre;
+    m.first_rate = m.first_rate + (V_rate * centre + V * centre_rate);
+  }
+  return m;
+}
+
+Vec3 centre(const VolumeMoments& m) { return to_vec3(m.origin + (1 / m.V) * m.first); }
+
+Vec3 centre_velocity(const VolumeMoments& m) {
+  return to_vec3(m.drift + (1 / m.V) * (m.first_rate - (m.V_rate / m.V) * m.first));
 }
 
 }  // namespace
@@ -33,40 +63,10 @@ Vec3 vertex_mean(const VectorArray& values, const CellRange& range) {
   return {mean(values.x), mean(values.y), mean(values.z)};
 }
 
-// A triangle and an origin o span a tetrahedron of volume a . (b x c) / 6 with its centre at (a + b + c) / 4 from o;
-// the signed sum over a closed mesh does not depend on o. The first vertex is taken, to keep the sums small.
-Vec3 centre_of_mass(const Cells& cells, std::size_t cell) {
-  const CellRange& range = cells.ranges[cell];
-  const ConstV3s X(cells.X);
-  const V3 origin = X[range.vertex_begin];
-  const auto& [a, b, c] = cells.triangles;
-  const Vec3 moment = sum_over_triangles(range, [&](std::ptrdiff_t t) {
-    const V3 p = X[a[t]] - origin, q = X[b[t]] - origin, r = X[c[t]] - origin;
-    return dot(p, cross(q, r)) * (p + q + r);
-  });
-  return to_vec3(origin) + moment / (24 * volume(cells, cell));
-}
+Vec3 centre_of_mass(const Cells& cells, std::size_t cell) { return centre(volume_moments(cells, cell)); }
 
-// d/dt of moment / (24 V) with the origin moving along: the product rule on both sums.
 Vec3 centre_of_mass_velocity(const Cells& cells, std::size_t cell) {
-  const CellRange& range = cells.ranges[cell];
-  const ConstV3s X(cells.X), U(cells.U);
-  const V3 origin = X[range.vertex_begin], drift = U[range.vertex_begin];
-  const auto& [a, b, c] = cells.triangles;
-  const auto volume_rate = [&](std::ptrdiff_t t) {
-    const V3 p = X[a[t]] - origin, q = X[b[t]] - origin, r = X[c[t]] - origin;
-    const V3 dp = U[a[t]] - drift, dq = U[b[t]] - drift, dr = U[c[t]] - drift;
-    return dot(dp, cross(q, r)) + dot(dq, cross(r, p)) + dot(dr, cross(p, q));
-  };
-  const Vec3 moment_rate = sum_over_triangles(range, [&](std::ptrdiff_t t) {
-    const V3 p = X[a[t]] - origin, q = X[b[t]] - origin, r = X[c[t]] - origin;
-    const V3 dp = U[a[t]] - drift, dq = U[b[t]] - drift, dr = U[c[t]] - drift;
-    return volume_rate(t) * (p + q + r) + dot(p, cross(q, r)) * (dp + dq + dr);
-  });
-  const double V = volume(cells, cell);
-  const double rate = ordered_sum(range.triangle_begin, range.triangle_end, volume_rate) / 6;
-  const Vec3 from_origin = centre_of_mass(cells, cell) - to_vec3(origin);
-  return to_vec3(drift) + moment_rate / (24 * V) - rate / V * from_origin;
+  return centre_velocity(volume_moments(cells, cell));
 }
 
 Eigen::Matrix3d gyration_tensor(const VectorArray& X, const CellRange& range) {
@@ -109,9 +109,10 @@ Vec3 extents(const VectorArray& X, const CellRange& range) {
 CellMeasures measure(const Cells& cells, std::size_t cell) {
   const CellRange& range = cells.ranges[cell];
   const Eigen::Matrix3d gyration = gyration_tensor(cells.X, range);
+  const VolumeMoments moments = volume_moments(cells, cell);
   CellMeasures m;
-  m.centre_of_mass = centre_of_mass(cells, cell);
-  m.velocity = centre_of_mass_velocity(cells, cell);
+  m.centre_of_mass = centre(moments);
+  m.velocity = centre_velocity(moments);
   m.vertex_mean = vertex_mean(cells.X, range);
   m.extents = extents(cells.X, range);
   m.volume = volume(cells, cell);

@@ -11,191 +11,206 @@
 #include "membrane/skalak.hpp"
 #include "membrane/v3.hpp"
 
-/// Before a loop over triangles: its iterations are independent. Not `omp simd`, which makes g++ 12 keep the laws'
-/// structs as arrays over the lanes, and then not vectorise.
-#define TRIANGLE_LOOP _Pragma("GCC ivdep")
+/// Before a loop over the triangles or vertices of a block: its iterations are independent. Not `omp simd`, which makes
+/// g++ 12 keep the laws' structs as arrays over the lanes, and then not vectorise.
+#define BLOCK_LOOP _Pragma("GCC ivdep")
 
 namespace rouleau {
 namespace {
 
-constexpr std::int32_t padded(std::int32_t n) {
-  return (n + VertexGather::width - 1) / VertexGather::width * VertexGather::width;
+constexpr int block_size = PackedRows::size;
+static_assert(block_size == WorkBlocks::size);
+
+constexpr std::size_t padded(std::size_t n) { return (n + block_size - 1) / block_size * block_size; }
+
+/// The corners of a block of triangles.
+struct BlockCorners {
+  const std::int32_t *a, *b, *c;
+  BlockCorners(const std::array<Array<std::int32_t>, 3>& corner, std::int32_t block)
+      : a(corner[0].data() + block * block_size),
+        b(corner[1].data() + block * block_size),
+        c(corner[2].data() + block * block_size) {}
+};
+
+V3 vector(const PackedRows& rows, int i) { return {rows.x[i], rows.y[i], rows.z[i]}; }
+
+void set(PackedRows& rows, int i, V3 vector, double scalar) {
+  rows.x[i] = vector.x;
+  rows.y[i] = vector.y;
+  rows.z[i] = vector.z;
+  rows.w[i] = scalar;
 }
 
-/// The triangles as plain pointers, and their edges u = b - a, v = c - a.
-struct TriangleEdges {
-  const std::int32_t *a, *b, *c;
-  ConstV3s X;
-  TriangleEdges(const Triangles& triangles, const VectorArray& positions)
-      : a(triangles.a.data()), b(triangles.b.data()), c(triangles.c.data()), X(positions) {}
-  [[nodiscard]] V3 u(std::ptrdiff_t t) const { return X[b[t]] - X[a[t]]; }
-  [[nodiscard]] V3 v(std::ptrdiff_t t) const { return X[c[t]] - X[a[t]]; }
-};
+/// Sets the edges u = b - a and v = c - a of a block of triangles.
+void gather_edges(const Packed* X, const BlockCorners& corners, PackedRows& u, PackedRows& v) {
+  const auto [a, b, c] = corners;
+  for (int t = 0; t < block_size; t += 4) {
+    const Packed X_0 = X[a[t]], X_1 = X[a[t + 1]], X_2 = X[a[t + 2]], X_3 = X[a[t + 3]];
+    set_rows(u, t, X[b[t]] - X_0, X[b[t + 1]] - X_1, X[b[t + 2]] - X_2, X[b[t + 3]] - X_3);
+    set_rows(v, t, X[c[t]] - X_0, X[c[t + 1]] - X_1, X[c[t + 2]] - X_2, X[c[t + 3]] - X_3);
+  }
+}
 
-/// One corner's part of three corner arrays.
-struct CornerV3s {
-  double *x, *y, *z;
-  CornerV3s(std::array<Array<double>, 3>& arrays, std::ptrdiff_t offset)
-      : x(arrays[0].data() + offset), y(arrays[1].data() + offset), z(arrays[2].data() + offset) {}
-  void set(std::ptrdiff_t t, V3 value) const {
-    x[t] = value.x;
-    y[t] = value.y;
-    z[t] = value.z;
+void gather(const Packed* values, const std::int32_t* vertex, PackedRows& rows) {
+  for (int t = 0; t < block_size; t += 4) {
+    set_rows(rows, t, values[vertex[t]], values[vertex[t + 1]], values[vertex[t + 2]], values[vertex[t + 3]]);
   }
-  void add(std::ptrdiff_t t, V3 value) const {
-    x[t] += value.x;
-    y[t] += value.y;
-    z[t] += value.z;
+}
+
+/// Adds the corners' values to those of their vertices, triangle after triangle: blocks in ascending order give each
+/// vertex the same order of additions, whichever blocks are left out for other vertices.
+void scatter(const PackedRows& at_a, const PackedRows& at_b, const PackedRows& at_c, const BlockCorners& corners,
+             Packed* sums) {
+  for (int t = 0; t < block_size; t += 4) {
+    Packed a[4], b[4], c[4];
+    get_rows(at_a, t, a[0], a[1], a[2], a[3]);
+    get_rows(at_b, t, b[0], b[1], b[2], b[3]);
+    get_rows(at_c, t, c[0], c[1], c[2], c[3]);
+    for (int k = 0; k < 4; ++k) {
+      sums[corners.a[t + k]] += a[k];
+      sums[corners.b[t + k]] += b[k];
+      sums[corners.c[t + k]] += c[k];
+    }
   }
-};
+}
 
 }  // namespace
 
 MembraneForces::MembraneForces(const Cells& cells)
-    : triangles_(static_cast<std::int32_t>(cells.triangles.size())),
-      corner_stride_(padded(triangles_)),
-      gather_(cells.around, corner_stride_, 3 * corner_stride_),
-      work_(cells) {
-  const auto triangles = static_cast<std::size_t>(triangles_);
-  for (auto* array : {&reference_.G11, &reference_.G12, &reference_.G22, &reference_.inverse_det, &reference_.area}) {
-    array->resize(triangles);
-  }
-  const TriangleEdges edges(cells.triangles, cells.X_reference);
-  for (std::size_t t = 0; t < triangles; ++t) {
-    const auto index = static_cast<std::ptrdiff_t>(t);
-    const ReferenceMetric G = reference_metric(edges.u(index), edges.v(index));
-    if (!(G.area > 0) || !std::isfinite(G.inverse_det)) {
-      fail(Exit::bad_input, "membrane: triangle {} of the reference shape has the area {}; mend the mesh.", t, G.area);
-    }
-    reference_.G11[t] = G.G11;
-    reference_.G12[t] = G.G12;
-    reference_.G22[t] = G.G22;
-    reference_.inverse_det[t] = G.inverse_det;
-    reference_.area[t] = G.area;
-  }
-  const auto corner_values = static_cast<std::size_t>(3 * corner_stride_ + 1);
-  for (CornerArray& array : force_) array.assign(corner_values, 0.0);
-  for (CornerArray& array : laplacian_) array.assign(corner_values, 0.0);
-  area_.assign(corner_values, 0.0);
-  p_.resize(static_cast<std::size_t>(gather_.blocks()) * VertexGather::width);
-  s_.resize(p_.size());
-}
+    : work_(cells), triangles_(static_cast<std::int32_t>(cells.triangles.size())) {
+  const auto vertices = static_cast<std::int32_t>(cells.vertices());
+  corner_ = {cells.triangles.a, cells.triangles.b, cells.triangles.c};
+  for (std::int32_t k = 0; k < 3; ++k) corner_[k].resize(padded(cells.triangles.size()), vertices + k);
+  for (Array<Packed>* array : {&X_, &curvature_, &F_}) array->assign(padded(cells.vertices() + 3), Packed{});
+  X_[vertices + 1] = Packed{1, 0, 0, 0};  // the triangles that fill the last block have an area
+  X_[vertices + 2] = Packed{0, 1, 0, 0};
 
-std::int32_t MembraneForces::block_end(std::int32_t triangle_block) const {
-  return std::min((triangle_block + 1) * WorkBlocks::triangles_per_block, triangles_);
+  const ConstV3s X(cells.X_reference);
+  const std::size_t triangles = padded(cells.triangles.size());
+  for (auto* array : {&reference_.G11, &reference_.G12, &reference_.G22, &reference_.inverse_det, &reference_.area}) {
+    array->resize(triangles, 1.0);
+  }
+  for (std::int32_t t = 0; t < triangles_; ++t) {
+    const V3 a = X[corner_[0][t]];
+    const ReferenceMetric reference = reference_metric(metric(X[corner_[1][t]] - a, X[corner_[2][t]] - a));
+    if (!(reference.area > 0) || !std::isfinite(reference.inverse_det)) {
+      fail(Exit::bad_input, "membrane: triangle {} of the reference shape has the area {}; mend the mesh.", t,
+           reference.area);
+    }
+    reference_.G11[t] = reference.G.g11;
+    reference_.G12[t] = reference.G.g12;
+    reference_.G22[t] = reference.G.g22;
+    reference_.inverse_det[t] = reference.inverse_det;
+    reference_.area[t] = reference.area;
+  }
 }
 
 void MembraneForces::compute(Cells& cells, const Moduli& moduli, std::span<const std::uint8_t> needed) {
-  constexpr std::int32_t block_size = WorkBlocks::triangles_per_block;
   work_.select(needed);
-  for (const std::int32_t block : work_.force_triangles()) stretch(cells, moduli, block * block_size, block_end(block));
-  if (moduli.kappa_B != 0) {
-    for (const std::int32_t block : work_.curvature_triangles()) {
-      weigh_corners(cells, block * block_size, block_end(block));
-    }
-    for (const std::int32_t block : work_.curvature_vertices()) sum_curvature(block);
-    for (const std::int32_t block : work_.force_triangles()) {
-      add_bending(cells, moduli.kappa_B, block * block_size, block_end(block));
-    }
-  }
-  for (const std::int32_t block : work_.force_vertices()) sum_forces(cells, block);
+  pack_positions(cells);
+  std::fill(curvature_.begin(), curvature_.end(), Packed{});
+  for (const std::int32_t block : work_.curvature_triangles()) add_curvatures(block);
+  for (const std::int32_t block : work_.curvature_vertices()) divide_by_areas(block, moduli.kappa_B);
+  std::fill(F_.begin(), F_.end(), Packed{});
+  for (const std::int32_t block : work_.force_triangles()) add_forces(block, moduli);
+  for (const std::int32_t block : work_.force_vertices()) unpack_forces(cells, block);
 }
 
-/// Sets the corners' forces to those of the Skalak law.
-void MembraneForces::stretch(const Cells& cells, const Moduli& moduli, std::int32_t begin, std::int32_t end) {
-  const TriangleEdges edges(cells.triangles, cells.X);
-  const double *G11 = reference_.G11.data(), *G12 = reference_.G12.data(), *G22 = reference_.G22.data();
-  const double *inverse_det = reference_.inverse_det.data(), *reference_area = reference_.area.data();
+void MembraneForces::pack_positions(const Cells& cells) {
+  for (std::size_t v = 0; v < cells.vertices(); ++v) X_[v] = packed(cells.X, v);
+}
+
+/// Adds what a block of triangles gives to L and A of its corners.
+void MembraneForces::add_curvatures(std::int32_t triangle_block) {
+  const BlockCorners corners(corner_, triangle_block);
+  PackedRows u, v, at_a, at_b, at_c;
+  gather_edges(X_.data(), corners, u, v);
+  BLOCK_LOOP
+  for (int t = 0; t < block_size; ++t) {
+    const CornerCurvatures c = corner_curvatures(vector(u, t), vector(v, t));
+    set(at_a, t, c.L_a, c.A_a);
+    set(at_b, t, c.L_b, c.A_b);
+    set(at_c, t, c.L_c, c.A_c);
+  }
+  scatter(at_a, at_b, at_c, corners, curvature_.data());
+}
+
+/// Replaces L and A of a block of vertices by P and S.
+void MembraneForces::divide_by_areas(std::int32_t vertex_block, double kappa_B) {
+  Packed* curvature = curvature_.data() + vertex_block * block_size;
+  PackedRows rows;
+  for (int i = 0; i < block_size; i += 4) {
+    set_rows(rows, i, curvature[i], curvature[i + 1], curvature[i + 2], curvature[i + 3]);
+  }
+  BLOCK_LOOP
+  for (int i = 0; i < block_size; ++i) {
+    const VertexCurvature vertex = vertex_curvature(vector(rows, i), rows.w[i], kappa_B);
+    set(rows, i, vertex.P, vertex.S);
+  }
+  for (int i = 0; i < block_size; i += 4) {
+    get_rows(rows, i, curvature[i], curvature[i + 1], curvature[i + 2], curvature[i + 3]);
+  }
+}
+
+/// Adds the forces of a block of triangles to those of their corners.
+void MembraneForces::add_forces(std::int32_t triangle_block, const Moduli& moduli) {
+  const BlockCorners corners(corner_, triangle_block);
+  PackedRows u, v, at_a, at_b, at_c;
+  gather_edges(X_.data(), corners, u, v);
+  gather(curvature_.data(), corners.a, at_a);
+  gather(curvature_.data(), corners.b, at_b);
+  gather(curvature_.data(), corners.c, at_c);
+  const std::int32_t first = triangle_block * block_size;
+  const double *G11 = reference_.G11.data() + first, *G12 = reference_.G12.data() + first;
+  const double *G22 = reference_.G22.data() + first, *inverse_det = reference_.inverse_det.data() + first;
+  const double* area = reference_.area.data() + first;
   const double kappa_S = moduli.kappa_S, kappa_A = moduli.kappa_A;
-  const CornerV3s F_a(force_, 0), F_b(force_, corner_stride_), F_c(force_, 2 * corner_stride_);
-  TRIANGLE_LOOP
-  for (std::int32_t t = begin; t < end; ++t) {
-    const ReferenceMetric G{G11[t], G12[t], G22[t], inverse_det[t], reference_area[t]};
-    const CornerForces F = skalak_forces(edges.u(t), edges.v(t), G, kappa_S, kappa_A);
-    F_a.set(t, -(F.b + F.c));
-    F_b.set(t, F.b);
-    F_c.set(t, F.c);
+  BLOCK_LOOP
+  for (int t = 0; t < block_size; ++t) {
+    const V3 u_t = vector(u, t), v_t = vector(v, t);
+    const Metric g = metric(u_t, v_t);
+    const ReferenceMetric reference{{G11[t], G12[t], G22[t]}, inverse_det[t], area[t]};
+    const BendingGradient bending = bending_gradient(g, u_t, v_t, {vector(at_a, t), at_a.w[t]},
+                                                     {vector(at_b, t), at_b.w[t]}, {vector(at_c, t), at_c.w[t]});
+    const CornerForces in_plane =
+        metric_forces(skalak_gradient(g, reference, kappa_S, kappa_A) + bending.by_metric, u_t, v_t);
+    const V3 F_b = in_plane.b - bending.by_u, F_c = in_plane.c - bending.by_v;
+    set(at_a, t, -(F_b + F_c), 0);
+    set(at_b, t, F_b, 0);
+    set(at_c, t, F_c, 0);
   }
-}
-
-/// Sets what each triangle adds to L and A of its corners.
-void MembraneForces::weigh_corners(const Cells& cells, std::int32_t begin, std::int32_t end) {
-  const TriangleEdges edges(cells.triangles, cells.X);
-  const CornerV3s L_a(laplacian_, 0), L_b(laplacian_, corner_stride_), L_c(laplacian_, 2 * corner_stride_);
-  double *A_a = area_.data(), *A_b = A_a + corner_stride_, *A_c = A_b + corner_stride_;
-  TRIANGLE_LOOP
-  for (std::int32_t t = begin; t < end; ++t) {
-    const CornerCurvatures c = corner_curvatures(edges.u(t), edges.v(t));
-    L_a.set(t, c.L_a);
-    L_b.set(t, c.L_b);
-    L_c.set(t, c.L_c);
-    A_a[t] = c.A_a;
-    A_b[t] = c.A_b;
-    A_c[t] = c.A_c;
-  }
-}
-
-/// Sets p and s of a block of vertices.
-void MembraneForces::sum_curvature(std::int32_t vertex_block) {
-  const auto sums =
-      gather_.sum<4>(vertex_block, {laplacian_[0].data(), laplacian_[1].data(), laplacian_[2].data(), area_.data()});
-  const std::ptrdiff_t first = std::ptrdiff_t{vertex_block} * VertexGather::width;
-  double *x = p_.x.data() + first, *y = p_.y.data() + first, *z = p_.z.data() + first, *s = s_.data() + first;
-  TRIANGLE_LOOP
-  for (int l = 0; l < VertexGather::width; ++l) {
-    const VertexCurvature vertex = vertex_curvature({sums[0][l], sums[1][l], sums[2][l]}, sums[3][l]);
-    x[l] = vertex.p.x;
-    y[l] = vertex.p.y;
-    z[l] = vertex.p.z;
-    s[l] = vertex.s;
-  }
-}
-
-/// Adds the bending forces to those of the corners.
-void MembraneForces::add_bending(const Cells& cells, double kappa_B, std::int32_t begin, std::int32_t end) {
-  const TriangleEdges edges(cells.triangles, cells.X);
-  const CornerV3s F_a(force_, 0), F_b(force_, corner_stride_), F_c(force_, 2 * corner_stride_);
-  const ConstV3s p(p_);
-  const double* s = s_.data();
-  TRIANGLE_LOOP
-  for (std::int32_t t = begin; t < end; ++t) {
-    const std::int32_t a = edges.a[t], b = edges.b[t], c = edges.c[t];
-    const CornerForces F = bending_forces(edges.u(t), edges.v(t), {p[a], s[a]}, {p[b], s[b]}, {p[c], s[c]}, kappa_B);
-    F_a.add(t, -(F.b + F.c));
-    F_b.add(t, F.b);
-    F_c.add(t, F.c);
-  }
+  scatter(at_a, at_b, at_c, corners, F_.data());
 }
 
 /// Sets cells.F of a block of vertices.
-void MembraneForces::sum_forces(Cells& cells, std::int32_t vertex_block) const {
-  const auto sums = gather_.sum<3>(vertex_block, {force_[0].data(), force_[1].data(), force_[2].data()});
-  const std::size_t first = static_cast<std::size_t>(vertex_block) * VertexGather::width;
-  const std::size_t lanes = std::min<std::size_t>(VertexGather::width, cells.vertices() - first);
-  std::copy_n(sums[0].begin(), lanes, cells.F.x.begin() + static_cast<std::ptrdiff_t>(first));
-  std::copy_n(sums[1].begin(), lanes, cells.F.y.begin() + static_cast<std::ptrdiff_t>(first));
-  std::copy_n(sums[2].begin(), lanes, cells.F.z.begin() + static_cast<std::ptrdiff_t>(first));
+void MembraneForces::unpack_forces(Cells& cells, std::int32_t vertex_block) const {
+  const std::size_t first = static_cast<std::size_t>(vertex_block) * block_size;
+  const std::size_t last = std::min(first + block_size, cells.vertices());
+  for (std::size_t v = first; v < last; ++v) {
+    cells.F.x[v] = F_[v][0];
+    cells.F.y[v] = F_[v][1];
+    cells.F.z[v] = F_[v][2];
+  }
 }
 
 MembraneEnergy MembraneForces::energy(const Cells& cells, const Moduli& moduli) {
-  const TriangleEdges edges(cells.triangles, cells.X);
+  pack_positions(cells);
+  std::fill(curvature_.begin(), curvature_.end(), Packed{});
+  const auto blocks = static_cast<std::int32_t>(corner_[0].size()) / block_size;
+  for (std::int32_t block = 0; block < blocks; ++block) add_curvatures(block);
+  const ConstV3s X(cells.X);
+  const auto &a = corner_[0], &b = corner_[1], &c = corner_[2];
   MembraneEnergy energy;
   energy.skalak = ordered_sum(0, triangles_, [&](std::ptrdiff_t t) {
-    const ReferenceMetric G{reference_.G11[t], reference_.G12[t], reference_.G22[t], reference_.inverse_det[t],
-                            reference_.area[t]};
-    return skalak_energy(edges.u(t), edges.v(t), G, moduli.kappa_S, moduli.kappa_A);
+    const ReferenceMetric reference{
+        {reference_.G11[t], reference_.G12[t], reference_.G22[t]}, reference_.inverse_det[t], reference_.area[t]};
+    const Metric g = metric(X[b[t]] - X[a[t]], X[c[t]] - X[a[t]]);
+    return skalak_energy(g, reference, moduli.kappa_S, moduli.kappa_A);
   });
-  weigh_corners(cells, 0, triangles_);
-  for (std::int32_t block = 0; block < gather_.blocks(); ++block) {
-    const auto sums =
-        gather_.sum<4>(block, {laplacian_[0].data(), laplacian_[1].data(), laplacian_[2].data(), area_.data()});
-    const std::size_t first = static_cast<std::size_t>(block) * VertexGather::width;
-    for (std::size_t l = 0; l < VertexGather::width && first + l < cells.vertices(); ++l) {
-      s_[first + l] = bending_energy({sums[0][l], sums[1][l], sums[2][l]}, sums[3][l], moduli.kappa_B);
-    }
-  }
-  energy.bending =
-      ordered_sum(0, static_cast<std::ptrdiff_t>(cells.vertices()), [&](std::ptrdiff_t v) { return s_[v]; });
+  energy.bending = ordered_sum(0, static_cast<std::ptrdiff_t>(cells.vertices()), [&](std::ptrdiff_t v) {
+    const Packed L_A = curvature_[static_cast<std::size_t>(v)];
+    return bending_energy({L_A[0], L_A[1], L_A[2]}, L_A[3], moduli.kappa_B);
+  });
   return energy;
 }
 

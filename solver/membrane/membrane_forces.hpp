@@ -7,7 +7,7 @@
 #include <span>
 
 #include "membrane/cells.hpp"
-#include "membrane/vertex_gather.hpp"
+#include "membrane/packed.hpp"
 #include "membrane/work_blocks.hpp"
 
 namespace rouleau {
@@ -37,25 +37,21 @@ class MembraneForces {
   struct ReferenceMetrics {
     Array<double> G11, G12, G22, inverse_det, area;
   };
-  /// One value a corner: [3][corner_stride], then a zero.
-  using CornerArray = Array<double>;
 
-  void stretch(const Cells& cells, const Moduli& moduli, std::int32_t begin, std::int32_t end);
-  void weigh_corners(const Cells& cells, std::int32_t begin, std::int32_t end);
-  void sum_curvature(std::int32_t vertex_block);
-  void add_bending(const Cells& cells, double kappa_B, std::int32_t begin, std::int32_t end);
-  void sum_forces(Cells& cells, std::int32_t vertex_block) const;
-  [[nodiscard]] std::int32_t block_end(std::int32_t triangle_block) const;
+  void pack_positions(const Cells& cells);
+  void add_curvatures(std::int32_t triangle_block);
+  void divide_by_areas(std::int32_t vertex_block, double kappa_B);
+  void add_forces(std::int32_t triangle_block, const Moduli& moduli);
+  void unpack_forces(Cells& cells, std::int32_t vertex_block) const;
 
-  std::int32_t triangles_ = 0, corner_stride_ = 0;
-  ReferenceMetrics reference_;
-  VertexGather gather_;
   WorkBlocks work_;
-  std::array<CornerArray, 3> force_;      ///< Skalak, then with bending
-  std::array<CornerArray, 3> laplacian_;  ///< L of each corner
-  CornerArray area_;                      ///< A of each corner
-  VectorArray p_;                         ///< [vertices, padded] L / A
-  Array<double> s_;                       ///< p.p
+  // Triangles and vertices are filled up to whole blocks: with triangles of three vertices that no cell has.
+  std::int32_t triangles_ = 0;
+  std::array<Array<std::int32_t>, 3> corner_;  ///< [triangles, padded]
+  ReferenceMetrics reference_;                 ///< [triangles, padded]
+  Array<Packed> X_;                            ///< [vertices, padded] positions
+  Array<Packed> curvature_;                    ///< [vertices, padded] L and A, then P and S
+  Array<Packed> F_;                            ///< [vertices, padded]
 };
 
 }  // namespace rouleau

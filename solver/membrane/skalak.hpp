@@ -11,20 +11,19 @@
 
 #include <cmath>
 
-#include "membrane/v3.hpp"
+#include "membrane/metric.hpp"
 
 namespace rouleau {
 
 struct ReferenceMetric {
-  double G11, G12, G22;
+  Metric G;
   double inverse_det;  ///< 1 / det G
   double area;         ///< A0 = sqrt(det G) / 2
 };
 
-inline ReferenceMetric reference_metric(V3 u, V3 v) {
-  const double G11 = dot(u, u), G12 = dot(u, v), G22 = dot(v, v);
-  const double det = G11 * G22 - G12 * G12;
-  return {G11, G12, G22, 1.0 / det, 0.5 * std::sqrt(det)};
+inline ReferenceMetric reference_metric(const Metric& G) {
+  const double det = determinant(G);
+  return {G, 1.0 / det, 0.5 * std::sqrt(det)};
 }
 
 /// The metric's change and the two invariants.
@@ -32,35 +31,33 @@ struct Strain {
   double d11, d12, d22, I1, I2;
 };
 
-inline Strain strain(V3 u, V3 v, const ReferenceMetric& G) {
-  const double d11 = dot(u, u) - G.G11, d12 = dot(u, v) - G.G12, d22 = dot(v, v) - G.G22;
-  const double I1 = (G.G22 * d11 + G.G11 * d22 - 2 * (G.G12 * d12)) * G.inverse_det;
-  return {d11, d12, d22, I1, I1 + (d11 * d22 - d12 * d12) * G.inverse_det};
+inline Strain strain(const Metric& g, const ReferenceMetric& reference) {
+  const Metric& G = reference.G;
+  const Metric d{g.g11 - G.g11, g.g12 - G.g12, g.g22 - G.g22};
+  const double I1 = std::fma(G.g22, d.g11, std::fma(G.g11, d.g22, -2 * (G.g12 * d.g12))) * reference.inverse_det;
+  return {d.g11, d.g12, d.g22, I1, std::fma(determinant(d), reference.inverse_det, I1)};
 }
 
 /// Energy of the triangle: A0 W.   [Lehmann2020] Eq. 8 in the convention kappa_S / 12
 /// 2 I1 - 2 I2 is taken as -2 det d / det G, which does not cancel.
-inline double skalak_energy(V3 u, V3 v, const ReferenceMetric& G, double kappa_S, double kappa_A) {
-  const Strain e = strain(u, v, G);
+inline double skalak_energy(const Metric& g, const ReferenceMetric& G, double kappa_S, double kappa_A) {
+  const Strain e = strain(g, G);
   const double det_d = (e.d11 * e.d22 - e.d12 * e.d12) * G.inverse_det;
   return G.area * (kappa_S / 12 * (e.I1 * e.I1 - 2 * det_d) + kappa_A / 12 * (e.I2 * e.I2));
 }
 
-/// Forces on the triangle's corners b and c; that on a is minus their sum.
-struct CornerForces {
-  V3 b, c;
-};
-
-/// Minus the gradient of skalak_energy: with E_ij = dE/dg_ij, F_b = -(2 E11 u + E12 v), F_c = -(2 E22 v + E12 u).
-inline CornerForces skalak_forces(V3 u, V3 v, const ReferenceMetric& G, double kappa_S, double kappa_A) {
-  const Strain e = strain(u, v, G);
-  const double weight = G.area * G.inverse_det;
+/// Derivatives of skalak_energy by the metric g.
+inline MetricGradient skalak_gradient(const Metric& g, const ReferenceMetric& reference, double kappa_S,
+                                      double kappa_A) {
+  const Strain e = strain(g, reference);
+  const Metric& G = reference.G;
+  const double weight = reference.area * reference.inverse_det;
   const double shear = kappa_S / 6 * weight;
   const double dilation = kappa_A / 6 * weight * e.I2;
-  const double E11 = shear * (e.I1 * G.G22 - e.d22) + dilation * (e.d22 + G.G22);
-  const double E22 = shear * (e.I1 * G.G11 - e.d11) + dilation * (e.d11 + G.G11);
-  const double E12 = 2 * (shear * (e.d12 - e.I1 * G.G12) - dilation * (e.d12 + G.G12));
-  return {-((2 * E11) * u + E12 * v), -((2 * E22) * v + E12 * u)};
+  // d of det g = adj g . dg, where adj g = (g22, -g12; -g12, g11)
+  return {std::fma(shear, std::fma(e.I1, G.g22, -e.d22), dilation * g.g22),
+          2 * std::fma(shear, std::fma(-e.I1, G.g12, e.d12), -dilation * g.g12),
+          std::fma(shear, std::fma(e.I1, G.g11, -e.d11), dilation * g.g11)};
 }
 
 }  // namespace rouleau

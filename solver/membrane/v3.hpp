@@ -2,6 +2,7 @@
 // A vector of three plain doubles for the laws of one triangle, and views that load it from structures of arrays.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
 #include "base/vec3.hpp"
@@ -19,6 +20,10 @@ constexpr V3 operator-(V3 a) { return {-a.x, -a.y, -a.z}; }
 constexpr V3 operator*(double s, V3 a) { return {s * a.x, s * a.y, s * a.z}; }
 constexpr double dot(V3 a, V3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 constexpr V3 cross(V3 a, V3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+
+/// s a + b with one rounding. For forces; predicates such as ray casting need the symmetry that fusing loses.
+inline V3 fused(double s, V3 a, V3 b) { return {std::fma(s, a.x, b.x), std::fma(s, a.y, b.y), std::fma(s, a.z, b.z)}; }
+inline double fused_dot(V3 a, V3 b) { return std::fma(a.x, b.x, std::fma(a.y, b.y, a.z * b.z)); }
 
 /// Read access to a VectorArray by index.
 struct ConstV3s {

@@ -14,6 +14,9 @@ namespace {
 
 /// |V/V0 - 1| at which a volume counts as restored: a hundred times the round-off of the sum, a tenth of the promise.
 constexpr double volume_tolerance = 1e-13;
+/// A correction by the slope at the start leaves about `error` times what it corrects (of a sphere a third of that), so
+/// when their product is this small there is no need to look again: even ten times that is within the tolerance.
+constexpr double surely_restored = 1e-14;
 
 /// The corners of a cell's triangles relative to its first vertex, so that sums do not grow with the distance to the
 /// origin.
@@ -66,10 +69,7 @@ double area(const Cells& cells, std::size_t cell) { return area(cells.triangles,
 double volume(const Surface& surface) { return volume(surface.triangles, surface.X, whole(surface)); }
 double area(const Surface& surface) { return area(surface.triangles, surface.X, whole(surface)); }
 
-VolumeShift::VolumeShift(const Cells& cells)
-    : gather_(cells.around, 0, static_cast<std::int32_t>(cells.triangles.size())),
-      normal_(cells.triangles.size() + 1),
-      gradient_(static_cast<std::size_t>(gather_.blocks()) * VertexGather::width) {}
+VolumeShift::VolumeShift(const Cells& cells) : X_(cells.vertices()), gradient_(cells.vertices()) {}
 
 double VolumeShift::restore(Cells& cells) {
   double largest = 0;
@@ -81,15 +81,14 @@ double VolumeShift::restore(Cells& cells) {
 
 double VolumeShift::restore_cell(Cells& cells, std::size_t cell) {
   const CellRange& range = cells.ranges[cell];
-  const Corners corners(cells.triangles, cells.X, range);
-  const V3s normal(normal_);
-  const double V = ordered_sum(range.triangle_begin, range.triangle_end,
-                               [&](std::ptrdiff_t t) {
-                                 const V3 a = corners.at_a(t), b = corners.at_b(t), c = corners.at_c(t);
-                                 normal.set(static_cast<std::size_t>(t), cross(b - a, c - a));
-                                 return triple(a, b, c);
-                               }) /
-                   6;
+  sum_gradients(cells, range);
+  // V is a cubic form of X, so that X . dV/dX = 3 V; and V(X + m d) with d = dV/dX has the slope d . d at m = 0.
+  Packed moment{}, square{};
+  for (std::int32_t v = range.vertex_begin; v < range.vertex_end; ++v) {
+    moment += X_[v] * gradient_[v];
+    square += gradient_[v] * gradient_[v];
+  }
+  const double V = (moment[0] + moment[1] + moment[2]) / 18, slope = (square[0] + square[1] + square[2]) / 36;
   const double error = V / range.volume_0 - 1;
   if (!(std::abs(error) <= largest_volume_error)) {
     fail(Exit::physics,
@@ -97,41 +96,42 @@ double VolumeShift::restore_cell(Cells& cells, std::size_t cell) {
          V / range.volume_0, largest_volume_error);
   }
 
-  // dV/dX of a vertex of a closed mesh: a sixth of the sum of u x v over its triangles.
-  constexpr std::int32_t width = VertexGather::width;
-  const V3s gradient(gradient_);
-  for (std::int32_t block = range.vertex_begin / width; block * width < range.vertex_end; ++block) {
-    const auto sums = gather_.sum<3>(block, {normal_.x.data(), normal_.y.data(), normal_.z.data()});
-    const std::ptrdiff_t first = std::ptrdiff_t{block} * width;
-#pragma omp simd
-    for (std::int32_t l = 0; l < width; ++l) {
-      gradient.x[first + l] = sums[0][l] / 6;
-      gradient.y[first + l] = sums[1][l] / 6;
-      gradient.z[first + l] = sums[2][l] / 6;
-    }
-  }
-
-  // V(X + m d) is a cubic in m with the slope d.d at m = 0. Corrections by this slope shrink the error by about itself
-  // each time: a leak of one step is gone after one.
-  const ConstV3s d(gradient_);
-  const double slope =
-      ordered_sum(range.vertex_begin, range.vertex_end, [&](std::ptrdiff_t v) { return dot(d[v], d[v]); });
   const V3s X(cells.X);
   constexpr int most_corrections = 40;
-  for (int i = 0; i < most_corrections; ++i) {
-    const double missing = range.volume_0 - (i == 0 ? V : volume(cells, cell));
-    if (std::abs(missing) <= volume_tolerance * range.volume_0) return std::abs(error);
-    const double m = missing / slope;
-#pragma omp simd
+  double left = error;
+  for (int i = 0; i < most_corrections && std::abs(left) > volume_tolerance; ++i) {
+    const double m = -left * range.volume_0 / slope / 6;
     for (std::int32_t v = range.vertex_begin; v < range.vertex_end; ++v) {
-      X.x[v] += m * d.x[v];
-      X.y[v] += m * d.y[v];
-      X.z[v] += m * d.z[v];
+      X.x[v] += m * gradient_[v][0];
+      X.y[v] += m * gradient_[v][1];
+      X.z[v] += m * gradient_[v][2];
     }
+    left = std::abs(left * error) <= surely_restored ? 0 : volume(cells, cell) / range.volume_0 - 1;
   }
-  fail(Exit::physics,
-       "cell {}: its volume could not be restored from {} of the wanted one; the mesh has lost its shape.", cell,
-       V / range.volume_0);
+  if (!(std::abs(left) <= volume_tolerance)) {
+    fail(Exit::physics,
+         "cell {}: its volume could not be restored from {} of the wanted one; the mesh has lost its shape.", cell,
+         V / range.volume_0);
+  }
+  return std::abs(error);
+}
+
+/// Sets 6 dV/dX of a closed mesh: of each vertex the sum of u x v over its triangles, in ascending order.
+void VolumeShift::sum_gradients(const Cells& cells, const CellRange& range) {
+  const Packed origin = packed(cells.X, range.vertex_begin);
+  for (std::int32_t v = range.vertex_begin; v < range.vertex_end; ++v) {
+    X_[v] = packed(cells.X, v) - origin;
+    gradient_[v] = Packed{};
+  }
+  const std::int32_t *a = cells.triangles.a.data(), *b = cells.triangles.b.data(), *c = cells.triangles.c.data();
+  Packed* gradient = gradient_.data();
+  for (std::int32_t t = range.triangle_begin; t < range.triangle_end; ++t) {
+    const Packed X_a = X_[a[t]];
+    const Packed normal = cross(X_[b[t]] - X_a, X_[c[t]] - X_a);
+    gradient[a[t]] += normal;
+    gradient[b[t]] += normal;
+    gradient[c[t]] += normal;
+  }
 }
 
 }  // namespace rouleau

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "membrane/cells.hpp"
-#include "membrane/vertex_gather.hpp"
+#include "membrane/packed.hpp"
 
 namespace rouleau {
 
@@ -33,10 +33,10 @@ class VolumeShift {
 
  private:
   double restore_cell(Cells& cells, std::size_t cell);
+  void sum_gradients(const Cells& cells, const CellRange& range);
 
-  VertexGather gather_;
-  VectorArray normal_;    ///< [triangles + 1] u x v, the last one zero
-  VectorArray gradient_;  ///< [vertices, padded] dV/dX
+  Array<Packed> X_;         ///< [vertices] relative to the cell's first vertex
+  Array<Packed> gradient_;  ///< [vertices] 6 dV/dX
 };
 
 }  // namespace rouleau

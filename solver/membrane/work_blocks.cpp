@@ -6,82 +6,70 @@
 #include <numeric>
 
 namespace rouleau {
-
-WorkBlocks::WorkBlocks(const Cells& cells) {
-  const auto triangles = static_cast<std::int32_t>(cells.triangles.size());
-  const auto vertices = static_cast<std::int32_t>(cells.vertices());
-  neighbours_begin_.push_back(0);
-  for (std::int32_t first = 0; first < triangles; first += triangles_per_block) {
-    const std::int32_t last = std::min(first + triangles_per_block, triangles);
-    std::vector<std::int32_t> touched;
-    for (std::int32_t t = first; t < last; ++t) {
-      for (const std::int32_t v : {cells.triangles.a[t], cells.triangles.b[t], cells.triangles.c[t]}) {
-        touched.push_back(v / vertices_per_block);
-      }
-    }
-    std::sort(touched.begin(), touched.end());
-    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-    neighbours_.insert(neighbours_.end(), touched.begin(), touched.end());
-    neighbours_begin_.push_back(static_cast<std::int32_t>(neighbours_.size()));
-  }
-  const std::size_t triangle_blocks = neighbours_begin_.size() - 1;
-  const std::size_t vertex_blocks = static_cast<std::size_t>(vertices + vertices_per_block - 1) / vertices_per_block;
-  vertex_mark_.resize(vertex_blocks);
-  curvature_triangles_.reserve(triangle_blocks);
-  force_triangles_.reserve(triangle_blocks);
-  curvature_vertices_.reserve(vertex_blocks);
-  force_vertices_.reserve(vertex_blocks);
-}
-
 namespace {
 
-void list_all(std::vector<std::int32_t>& list, std::size_t count) {
-  list.resize(count);
-  std::iota(list.begin(), list.end(), 0);
+constexpr std::size_t blocks_of(std::size_t count) { return (count + WorkBlocks::size - 1) / WorkBlocks::size; }
+
+void list_all(std::vector<std::int32_t>& blocks, std::size_t count) {
+  blocks.resize(count);
+  std::iota(blocks.begin(), blocks.end(), 0);
 }
 
 }  // namespace
 
-void WorkBlocks::select(std::span<const std::uint8_t> needed) {
-  const std::size_t triangle_blocks = neighbours_begin_.size() - 1;
-  if (needed.empty()) {
-    list_all(curvature_triangles_, triangle_blocks);
-    list_all(force_triangles_, triangle_blocks);
-    list_all(curvature_vertices_, vertex_mark_.size());
-    list_all(force_vertices_, vertex_mark_.size());
-    return;
-  }
-  const auto list_marked_vertices = [&](std::vector<std::int32_t>& list) {
-    list.clear();
-    for (std::size_t block = 0; block < vertex_mark_.size(); ++block) {
-      if (vertex_mark_[block]) list.push_back(static_cast<std::int32_t>(block));
-    }
-  };
-  const auto list_triangles_at_marks = [&](std::vector<std::int32_t>& list) {
-    list.clear();
-    for (std::size_t block = 0; block < triangle_blocks; ++block) {
-      const auto first = neighbours_.begin() + neighbours_begin_[block];
-      const auto last = neighbours_.begin() + neighbours_begin_[block + 1];
-      if (std::any_of(first, last, [&](std::int32_t v) { return vertex_mark_[v] != 0; })) {
-        list.push_back(static_cast<std::int32_t>(block));
+WorkBlocks::WorkBlocks(const Cells& cells) : corners_begin_{0}, mark_(cells.vertices()) {
+  const std::size_t triangles = cells.triangles.size();
+  for (std::size_t first = 0; first < triangles; first += size) {
+    std::vector<std::int32_t> touched;
+    for (std::size_t t = first; t < std::min(first + size, triangles); ++t) {
+      for (const std::int32_t v : {cells.triangles.a[t], cells.triangles.b[t], cells.triangles.c[t]}) {
+        touched.push_back(v);
       }
     }
-  };
-
-  for (std::size_t block = 0; block < vertex_mark_.size(); ++block) {
-    const auto first = needed.begin() + static_cast<std::ptrdiff_t>(block * vertices_per_block);
-    const auto last = first + std::min<std::ptrdiff_t>(vertices_per_block, needed.end() - first);
-    vertex_mark_[block] = std::any_of(first, last, [](std::uint8_t is_needed) { return is_needed != 0; });
+    std::sort(touched.begin(), touched.end());
+    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+    corners_.insert(corners_.end(), touched.begin(), touched.end());
+    corners_begin_.push_back(static_cast<std::int32_t>(corners_.size()));
   }
+  for (auto* list : {&curvature_triangles_, &force_triangles_}) list->reserve(blocks_of(triangles));
+  for (auto* list : {&curvature_vertices_, &force_vertices_}) list->reserve(blocks_of(mark_.size()));
+}
+
+void WorkBlocks::select(std::span<const std::uint8_t> needed) {
+  if (needed.empty()) {
+    for (auto* list : {&curvature_triangles_, &force_triangles_}) list_all(*list, corners_begin_.size() - 1);
+    for (auto* list : {&curvature_vertices_, &force_vertices_}) list_all(*list, blocks_of(mark_.size()));
+    return;
+  }
+  std::copy(needed.begin(), needed.end(), mark_.begin());
   list_marked_vertices(force_vertices_);
   list_triangles_at_marks(force_triangles_);
   for (const std::int32_t block : force_triangles_) {
-    for (std::int32_t n = neighbours_begin_[block]; n < neighbours_begin_[block + 1]; ++n) {
-      vertex_mark_[neighbours_[n]] = 1;
-    }
+    for (std::int32_t i = corners_begin_[block]; i < corners_begin_[block + 1]; ++i) mark_[corners_[i]] = 1;
   }
   list_marked_vertices(curvature_vertices_);
   list_triangles_at_marks(curvature_triangles_);
+}
+
+void WorkBlocks::list_marked_vertices(std::vector<std::int32_t>& blocks) const {
+  blocks.clear();
+  for (std::size_t first = 0; first < mark_.size(); first += size) {
+    const auto begin = mark_.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = begin + static_cast<std::ptrdiff_t>(std::min<std::size_t>(size, mark_.size() - first));
+    if (std::find_if(begin, end, [](std::uint8_t mark) { return mark != 0; }) != end) {
+      blocks.push_back(static_cast<std::int32_t>(first / size));
+    }
+  }
+}
+
+void WorkBlocks::list_triangles_at_marks(std::vector<std::int32_t>& blocks) const {
+  blocks.clear();
+  for (std::size_t block = 0; block + 1 < corners_begin_.size(); ++block) {
+    const auto begin = corners_.begin() + corners_begin_[block], end = corners_.begin() + corners_begin_[block + 1];
+    if (std::any_of(begin, end, [&](std::int32_t v) { return mark_[v] != 0; })) {
+      blocks.push_back(static_cast<std::int32_t>(block));
+    }
+  }
 }
 
 }  // namespace rouleau

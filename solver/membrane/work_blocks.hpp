@@ -11,11 +11,10 @@
 namespace rouleau {
 
 /// Bending reaches two rings: a vertex's force takes its triangles, these take the curvature of all their corners, and
-/// the curvature takes all triangles around those corners. Decided on blocks, from lists made once.
+/// the curvature takes all triangles around those corners. Whole blocks are computed, from lists made once.
 class WorkBlocks {
  public:
-  static constexpr int triangles_per_block = 32;
-  static constexpr int vertices_per_block = 8;
+  static constexpr int size = 32;  ///< of a block of triangles and of a block of vertices
 
   explicit WorkBlocks(const Cells& cells);
 
@@ -30,8 +29,11 @@ class WorkBlocks {
   [[nodiscard]] std::span<const std::int32_t> force_vertices() const { return force_vertices_; }
 
  private:
-  std::vector<std::int32_t> neighbours_begin_, neighbours_;  ///< vertex blocks that a triangle block touches
-  std::vector<std::uint8_t> vertex_mark_;
+  void list_marked_vertices(std::vector<std::int32_t>& blocks) const;
+  void list_triangles_at_marks(std::vector<std::int32_t>& blocks) const;
+
+  std::vector<std::int32_t> corners_begin_, corners_;  ///< vertices that a triangle block touches, each once
+  std::vector<std::uint8_t> mark_;                     ///< a byte a vertex
   std::vector<std::int32_t> curvature_triangles_, curvature_vertices_, force_triangles_, force_vertices_;
 };
 

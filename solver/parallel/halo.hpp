@@ -2,8 +2,8 @@
 // Fills the halo of node fields from the neighbouring blocks: x, then y, then z, so that edges and corners come along.
 #pragma once
 
+#include <algorithm>
 #include <array>
-#include <cstring>
 #include <span>
 #include <vector>
 
@@ -17,7 +17,7 @@ template <class T>
 class HaloExchange {
  public:
   /// Components to send along each axis towards the low (0) and the high (1) side.
-  using Components = std::array<std::array<std::vector<T*>, 2>, 3>;
+  using Components = std::array<std::array<std::vector<Rows<T>>, 2>, 3>;
 
   /// `width` <= layout.halo layers are filled. Buffers are allocated here, for at most `components` fields a face.
   HaloExchange(const Communicator& comm, const Decomposition& decomposition, const Layout& layout, int width,
@@ -32,13 +32,21 @@ class HaloExchange {
   }
 
   /// Every field in every direction.
-  void exchange(std::span<T* const> fields) {
-    for (int axis = 0; axis < 3; ++axis) exchange_axis(axis, fields, fields);
+  void exchange(std::span<const Rows<T>> fields) {
+    const std::array<Run, 1> all{{{-width_, layout_.size[0] + width_}}};
+    exchange(fields, 0, all);
   }
 
-  /// Only the listed components cross each face.
-  void exchange(const Components& components) {
-    for (int axis = 0; axis < 3; ++axis) exchange_axis(axis, components[axis][0], components[axis][1]);
+  /// Every field, within some runs of each row only, which do not overlap and are the same on all ranks that share
+  /// their x; axes before `first_axis` are left alone.
+  void exchange(std::span<const Rows<T>> fields, int first_axis, std::span<const Run> runs) {
+    for (int axis = first_axis; axis < 3; ++axis) exchange_axis(axis, fields, fields, runs);
+  }
+
+  /// Only the listed components cross each face; axes before `first_axis` are left alone.
+  void exchange(const Components& components, int first_axis) {
+    const std::array<Run, 1> all{{{-width_, layout_.size[0] + width_}}};
+    for (int axis = first_axis; axis < 3; ++axis) exchange_axis(axis, components[axis][0], components[axis][1], all);
   }
 
  private:
@@ -63,68 +71,70 @@ class HaloExchange {
     return s;
   }
 
-  template <class Row>
-  static void each_row(const Slab& s, Row row) {
+  /// Calls visit(j, k, begin, end) for what the runs leave of each row of a slab.
+  template <class Visit>
+  static void each_piece(const Slab& s, std::span<const Run> runs, Visit visit) {
     for (int k = s.begin[2]; k < s.end[2]; ++k)
-      for (int j = s.begin[1]; j < s.end[1]; ++j) row(j, k);
+      for (int j = s.begin[1]; j < s.end[1]; ++j)
+        for (const Run& run : runs) {
+          const int begin = std::max(s.begin[0], run.begin), end = std::min(s.end[0], run.end);
+          if (begin < end) visit(j, k, begin, end);
+        }
   }
 
-  std::size_t pack(std::span<T* const> fields, const Slab& s, T* buffer) const {
+  /// Returns the number of elements.
+  std::size_t pack(std::span<const Rows<T>> fields, const Slab& s, std::span<const Run> runs, T* buffer) const {
     T* out = buffer;
-    const auto length = static_cast<std::size_t>(s.end[0] - s.begin[0]);
-    for (const T* field : fields)
-      each_row(s, [&](int j, int k) {
-        std::memcpy(out, field + layout_.index(s.begin[0], j, k), length * sizeof(T));
-        out += length;
+    for (const Rows<T>& field : fields)
+      each_piece(s, runs, [&](int j, int k, int begin, int end) {
+        const T* const row = field(j, k);
+        out = std::copy(row + begin, row + end, out);
       });
     return static_cast<std::size_t>(out - buffer);
   }
 
-  void unpack(std::span<T* const> fields, const Slab& s, const T* in) const {
-    const auto length = static_cast<std::size_t>(s.end[0] - s.begin[0]);
-    for (T* field : fields)
-      each_row(s, [&](int j, int k) {
-        std::memcpy(field + layout_.index(s.begin[0], j, k), in, length * sizeof(T));
-        in += length;
+  void unpack(std::span<const Rows<T>> fields, const Slab& s, std::span<const Run> runs, const T* in) const {
+    for (const Rows<T>& field : fields)
+      each_piece(s, runs, [&](int j, int k, int begin, int end) {
+        std::copy_n(in, end - begin, field(j, k) + begin);
+        in += end - begin;
       });
   }
 
-  void exchange_axis(int axis, std::span<T* const> to_low, std::span<T* const> to_high) {
+  void exchange_axis(int axis, std::span<const Rows<T>> to_low, std::span<const Rows<T>> to_high,
+                     std::span<const Run> runs) {
     const int n = layout_.size[axis];
     const Slab low_owned = slab(axis, 0, width_), high_owned = slab(axis, n - width_, n);
     const Slab low_halo = slab(axis, -width_, 0), high_halo = slab(axis, n, n + width_);
     const int low = neighbour_[axis][0], high = neighbour_[axis][1];
     auto& [send_low, send_high, from_low, from_high] = buffers_;
     if (low == own_rank_) {  // the axis is not cut, and periodic
-      pack(to_low, low_owned, send_low.data());
-      pack(to_high, high_owned, send_high.data());
-      unpack(to_low, high_halo, send_low.data());
-      unpack(to_high, low_halo, send_high.data());
+      pack(to_low, low_owned, runs, send_low.data());
+      pack(to_high, high_owned, runs, send_high.data());
+      unpack(to_low, high_halo, runs, send_low.data());
+      unpack(to_high, low_halo, runs, send_high.data());
       return;
     }
     if (low < 0 && high < 0) return;
 
     std::array<MPI_Request, 4> requests;
     int count = 0;
-    const auto bytes = [](std::span<T* const> fields, const Slab& s) {
-      return static_cast<int>(fields.size() * s.nodes() * sizeof(T));
-    };
-    const int tag_down = 2 * axis, tag_up = 2 * axis + 1;
-    if (high >= 0)
-      MPI_Irecv(from_high.data(), bytes(to_low, high_halo), MPI_BYTE, high, tag_down, comm_, &requests[count++]);
-    if (low >= 0)
-      MPI_Irecv(from_low.data(), bytes(to_high, low_halo), MPI_BYTE, low, tag_up, comm_, &requests[count++]);
+    const int tag_down = 2 * axis, tag_up = 2 * axis + 1, capacity = static_cast<int>(from_low.size() * sizeof(T));
+    if (high >= 0) MPI_Irecv(from_high.data(), capacity, MPI_BYTE, high, tag_down, comm_, &requests[count++]);
+    if (low >= 0) MPI_Irecv(from_low.data(), capacity, MPI_BYTE, low, tag_up, comm_, &requests[count++]);
     if (low >= 0) {
-      pack(to_low, low_owned, send_low.data());
-      MPI_Isend(send_low.data(), bytes(to_low, low_owned), MPI_BYTE, low, tag_down, comm_, &requests[count++]);
+      const std::size_t packed = pack(to_low, low_owned, runs, send_low.data());
+      MPI_Isend(send_low.data(), static_cast<int>(packed * sizeof(T)), MPI_BYTE, low, tag_down, comm_,
+                &requests[count++]);
     }
     if (high >= 0) {
-      pack(to_high, high_owned, send_high.data());
-      MPI_Isend(send_high.data(), bytes(to_high, high_owned), MPI_BYTE, high, tag_up, comm_, &requests[count++]);
+      const std::size_t packed = pack(to_high, high_owned, runs, send_high.data());
+      MPI_Isend(send_high.data(), static_cast<int>(packed * sizeof(T)), MPI_BYTE, high, tag_up, comm_,
+                &requests[count++]);
     }
     MPI_Waitall(count, requests.data(), MPI_STATUSES_IGNORE);
-    if (high >= 0) unpack(to_low, high_halo, from_high.data());
-    if (low >= 0) unpack(to_high, low_halo, from_low.data());
+    if (high >= 0) unpack(to_low, high_halo, runs, from_high.data());
+    if (low >= 0) unpack(to_high, low_halo, runs, from_low.data());
   }
 
   MPI_Comm comm_;

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/choices.hpp"
 
+#include <algorithm>
+
 #include "fluid/developed.hpp"
 
 namespace rouleau {
 
 namespace {
 
-/// Steps between two updates of the driving force: short against the flow's own time, long against the cost of a sum
-/// over all nodes.
-constexpr int control_interval = 10;
+/// Steps between two updates of the driving force: short against the flow's own time, as long as that allows since each
+/// needs a sum over all nodes.
+int control_interval(double time_constant) { return static_cast<int>(std::clamp(time_constant / 20, 10.0, 100.0)); }
 
 MrtRates<> named_rates(const NumericsParameters& n, double nu) {
   return {n.omega_e, n.omega_eps, n.omega_q, shear_rate_of(nu), n.omega_pi, n.omega_m};
@@ -54,7 +56,8 @@ std::optional<Tracking> tracking_of(const Setup& setup) {
 std::optional<MeanVelocityController> controller_of(const Setup& setup) {
   if (setup.run.parameters.flow.driving != Driving::mean_velocity) return std::nullopt;
   const LatticeParameters& p = setup.lattice;
-  return MeanVelocityController(p.mean_velocity, DevelopedFlow(p.lattice).mean() / p.nu_out, control_interval);
+  const double time_constant = DevelopedFlow(p.lattice).mean() / p.nu_out;
+  return MeanVelocityController(p.mean_velocity, time_constant, control_interval(time_constant));
 }
 
 std::array<std::array<Vec3, 2>, 3> wall_velocities_of(const Setup& setup) {

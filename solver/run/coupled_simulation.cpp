@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/coupled_simulation.hpp"
 
+#include <algorithm>
+
 #include "coupling/spread.hpp"
 #include "fluid/flow_rate.hpp"
 #include "fluid/walls.hpp"
@@ -20,6 +22,7 @@ CoupledSimulation<Real>::CoupledSimulation(const Setup& setup, const Communicato
       flags_(decomposition.block().size, 1),
       cells_(assemble(setup.cells.starts)),
       cell_record_(cells_),
+      reach_(setup.lattice.lattice, decomposition.block(), velocity_halo),
       stencils_(kernel_of(setup), setup.lattice.lattice, decomposition.block(), cells_.vertices()),
       forces_(cells_),
       mesh_health_(cells_),
@@ -27,7 +30,7 @@ CoupledSimulation<Real>::CoupledSimulation(const Setup& setup, const Communicato
       correction_(setup.lattice.lattice, decomposition.block()),
       controller_(controller_of(setup)),
       population_halo_(comm, decomposition, fluid_.f.layout, 1, 5),
-      velocity_halo_(comm, decomposition, fluid_.u[0].layout, 2, 3),
+      velocity_halo_(comm, decomposition, fluid_.u[0].layout, velocity_halo, 3),
       flag_halo_(comm, decomposition, flags_.layout, 1, 1),
       vertex_exchange_(comm, cells_.vertices()) {
   if (const auto variant = tracking_of(setup)) tracker_.emplace(*variant, fluid_.lattice, fluid_.block, cells_);
@@ -77,7 +80,7 @@ void CoupledSimulation<Real>::spread_forces() {
 
 template <class Real>
 void CoupledSimulation<Real>::move_fluid() {
-  collide_and_stream(fluid_, collision_, flags_, Vec3(driving_.force, 0, 0), {stencils_.rows, stencils_.rows});
+  collide_and_stream(fluid_, collision_, flags_, Vec3(driving_.force, 0, 0), {stencils_.rows, stencils_.segment_shift});
   timers_.lap(Part::collide);
   exchange_populations();
   timers_.lap(Part::halos);
@@ -90,18 +93,36 @@ void CoupledSimulation<Real>::exchange_populations() {
     for (int q = 0; q < Q; ++q)
       if (c_q[q][axis] != 0) {
         const std::size_t side = c_q[q][axis] < 0 ? 0 : 1;
-        crossing_[axis][side][filled[side]++] = fluid_.f.direction(q);
+        crossing_[axis][side][filled[side]++] = fluid_.f.rows(q);
       }
   }
-  population_halo_.exchange(crossing_);
+  population_halo_.exchange(crossing_, fluid_.closes_x() ? 1 : 0);
   fill_walls(fluid_);
 }
 
 template <class Real>
 void CoupledSimulation<Real>::exchange_velocity() {
-  const std::array<Real*, 3> u{fluid_.u[0].data.data(), fluid_.u[1].data.data(), fluid_.u[2].data.data()};
-  velocity_halo_.exchange(u);
+  std::array<Rows<Real>, 3> u;
+  for (std::size_t a = 0; a < 3; ++a) u[a] = fluid_.u[a].layout.rows(fluid_.u[a].data.data());
+  reach_.find(stencils_);
+  if (fluid_.closes_x() && reach_.reaches_halo()) close_velocity_rows(u);
+  velocity_halo_.exchange(u, fluid_.closes_x() ? 1 : 0, reach_.runs());
   timers_.lap(Part::halos);
+}
+
+/// Sets the halo along x of the rows that a stencil touches from their other end.
+template <class Real>
+void CoupledSimulation<Real>::close_velocity_rows(const std::array<Rows<Real>, 3>& u) {
+  const Int3& size = fluid_.block.size;
+  for (int k = 0; k < size[2]; ++k)
+    for (int j = 0; j < size[1]; ++j) {
+      if (stencils_.rows[stencils_.row(j, k)] == 0) continue;
+      for (const Rows<Real>& component : u) {
+        Real* const row = component(j, k);
+        std::copy_n(row + size[0] - velocity_halo, velocity_halo, row - velocity_halo);
+        std::copy_n(row, velocity_halo, row + size[0]);
+      }
+    }
 }
 
 template <class Real>
@@ -138,7 +159,7 @@ template <class Real>
 void CoupledSimulation<Real>::correct_interior() {
   const std::int64_t interval = setup_.run.parameters.numerics.correction_interval;
   if (!tracker_ || interval == 0 || counters_.steps_done % interval != 0) return;
-  const std::array<std::uint8_t*, 1> flags{flags_.data.data()};
+  const std::array<Rows<std::uint8_t>, 1> flags{flags_.layout.rows(flags_.data.data())};
   flag_halo_.exchange(flags);
   const Corrections corrections = correction_.apply(flags_);
   counters_.flips += comm_.sum(corrections.activated + corrections.deactivated);
@@ -154,6 +175,7 @@ void CoupledSimulation<Real>::resume() {
 template <class Real>
 PersistentState CoupledSimulation<Real>::persistent() {
   cell_record_.pack(cells_);
+  fluid_.f.straighten();
   return state_list(fluid_, flags_, cell_record_, driving_, counters_);
 }
 
@@ -164,10 +186,9 @@ std::int64_t CoupledSimulation<Real>::inside_nodes() const {
 
 template <class Real>
 double CoupledSimulation<Real>::mean_velocity() const {
-  std::array<std::int64_t, 3> momentum{};
-  comm_.all_agree([&] { momentum = momentum_fixed_point(fluid_); });
-  comm_.sum(momentum.data(), 3);
-  return rouleau::mean_velocity(momentum[0], fluid_.lattice.nodes(), driving_.force);
+  std::int64_t momentum = 0;
+  comm_.all_agree([&] { momentum = momentum_fixed_point(fluid_, 0); });
+  return rouleau::mean_velocity(comm_.sum(momentum), fluid_.lattice.nodes(), driving_.force);
 }
 
 template class CoupledSimulation<float>;

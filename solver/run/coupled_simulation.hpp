@@ -6,6 +6,7 @@
 
 #include "coupling/advect.hpp"
 #include "coupling/interpolate.hpp"
+#include "coupling/reach.hpp"
 #include "coupling/stencils.hpp"
 #include "fluid/collide.hpp"
 #include "fluid/controller.hpp"
@@ -59,6 +60,7 @@ class CoupledSimulation final : public Simulation {
   void start_flags();
   void exchange_populations();
   void exchange_velocity();
+  void close_velocity_rows(const std::array<Rows<Real>, 3>& u);
   void check_flow() const;
   void check_cells();
 
@@ -69,6 +71,7 @@ class CoupledSimulation final : public Simulation {
   Flags flags_;
   Cells cells_;
   CellRecord cell_record_;
+  ReachAlongX reach_;
   Stencils stencils_;
   WallVelocities walls_;
   MembraneForces forces_;

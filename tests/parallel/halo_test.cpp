@@ -27,8 +27,9 @@ void fills_from_owners(const Lattice& lattice, int width) {
           f(i, j, k) = value_of_node<T>(lattice, c, b.begin[0] + i, b.begin[1] + j, b.begin[2] + k);
   }
   HaloExchange<T> halo(comm, d, fields[0].layout, width, 2);
-  const std::array<T*, 2> pointers{fields[0].data.data(), fields[1].data.data()};
-  halo.exchange(pointers);
+  const std::array<Rows<T>, 2> rows{fields[0].layout.rows(fields[0].data.data()),
+                                    fields[1].layout.rows(fields[1].data.data())};
+  halo.exchange(rows);
 
   const auto exists = [&](int axis, int i) {
     return lattice.periodic[static_cast<std::size_t>(axis)] || lattice.contains(axis, i);
@@ -59,8 +60,8 @@ TEST(HaloExchange, ListedComponentsCrossOnlyTheirFaces) {
   std::fill(f.data.begin(), f.data.end(), 7.0);
   for (int side = 0; side < 2; ++side) f(side == 0 ? -1 : b.size[0], 0, 0) = -1;
   HaloExchange<double>::Components components;
-  components[0][1] = {f.data.data()};  // towards high x: only the low halo is filled
-  HaloExchange<double>(comm, d, f.layout, 1, 1).exchange(components);
+  components[0][1] = {f.layout.rows(f.data.data())};  // towards high x: only the low halo is filled
+  HaloExchange<double>(comm, d, f.layout, 1, 1).exchange(components, 0);
   EXPECT_EQ(f(-1, 0, 0), 7.0);
   EXPECT_EQ(f(b.size[0], 0, 0), -1.0);
 }

@@ -2,6 +2,7 @@
 // Killed at random moments, signalled, timed out: the same command goes on, and the end is the same to the bit.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <random>
 
@@ -10,24 +11,31 @@
 namespace rouleau::testing {
 namespace {
 
-constexpr int steps = 3000;
+constexpr int steps = 9000;
 
 /// Checkpoints as often as the loop looks at the clock.
 const Changes many_checkpoints{{"output.checkpoint_interval_min", "0.001"}, {"output.progress_interval_s", "0.1"}};
 
-std::string undisturbed() {
+struct Undisturbed {
+  std::string fingerprint;
+  double seconds;
+};
+
+Undisturbed undisturbed() {
   SmallRun run(many_checkpoints);
   run.set_steps(steps);
+  const auto begun = std::chrono::steady_clock::now();
   run.finish();
-  return run.fingerprint();
+  return {run.fingerprint(), std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count()};
 }
 
 TEST(KilledRun, RandomKillsOfAllRanksLeaveTheSameEnd) {
-  const std::string expected = undisturbed();
+  const auto [expected, seconds] = undisturbed();
   SmallRun run(many_checkpoints);
   run.set_steps(steps);
   std::mt19937 random(20);
-  std::uniform_real_distribution<double> delay(0.05, 0.8);
+  // On average a fifth of the run: some kills before the end, however fast the machine.
+  std::uniform_real_distribution<double> delay(0.02 * seconds, 0.4 * seconds);
   int kills = 0;
   for (int attempt = 0; attempt < 12; ++attempt) {
     const Finished finished = run.run(1 + attempt % 3, {}, Interruption{delay(random), SIGKILL});
@@ -44,7 +52,7 @@ TEST(KilledRun, SignalsStopBehindACheckpointWithCode75) {
   for (const int signal : {SIGUSR2, SIGTERM, SIGINT}) {
     SmallRun run;
     run.set_steps(1000000);
-    const Finished finished = run.run(1, {}, Interruption{0.6, signal});
+    const Finished finished = run.run(1, {}, Interruption{0.3, signal, run.path("progress.json")});
     EXPECT_EQ(finished.code, 75) << finished.err;
     const auto record = run.exit_record();
     EXPECT_EQ(record.at("code"), 75);
@@ -56,7 +64,7 @@ TEST(KilledRun, SignalsStopBehindACheckpointWithCode75) {
 TEST(KilledRun, SignalToMpirunReachesTheRanks) {
   SmallRun run;
   run.set_steps(1000000);
-  const Finished finished = run.run(2, {}, Interruption{2.0, SIGUSR2});
+  const Finished finished = run.run(2, {}, Interruption{0.3, SIGUSR2, run.path("progress.json")});
   EXPECT_EQ(finished.code, 75) << finished.err;
   EXPECT_EQ(run.exit_record().at("reason"), "stop requested by signal");
 }

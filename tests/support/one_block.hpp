@@ -3,6 +3,7 @@
 #pragma once
 
 #include "fluid/collide.hpp"
+#include "fluid/flow_rate.hpp"
 #include "fluid/walls.hpp"
 
 namespace rouleau::testing {
@@ -17,15 +18,20 @@ struct OneBlock {
   OneBlock(const Lattice& lattice, const Collision& law)
       : fluid(lattice, whole_block(lattice)), collision(law), inside(lattice.size, 1) {}
 
-  void step(const RowMasks& masks = {}) {
+  void step(const MembraneRows& membranes = {}) {
     fill_halos(fluid);
-    collide_and_stream(fluid, collision, inside, body_force, masks);
+    collide_and_stream(fluid, collision, inside, body_force, membranes);
   }
   void run(int steps) {
     for (int n = 0; n < steps; ++n) step();
   }
   [[nodiscard]] double u(int axis, int i, int j, int k) const { return fluid.u[axis](i, j, k); }
 };
+
+template <class Real>
+std::array<std::int64_t, 3> total_momentum(const Fluid<Real>& fluid) {
+  return {momentum_fixed_point(fluid, 0), momentum_fixed_point(fluid, 1), momentum_fixed_point(fluid, 2)};
+}
 
 inline Collision one_trt(double nu, double magic = exact_wall_magic) {
   return TwoFluids<TrtRates<>>{trt_rates(nu, magic), trt_rates(nu, magic)};

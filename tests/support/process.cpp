@@ -52,10 +52,15 @@ Finished run_program(const std::vector<std::string>& words, std::optional<Interr
     _exit(127);
   }
   setpgid(child, child);
-  const auto begun = std::chrono::steady_clock::now();
+  auto begun = std::chrono::steady_clock::now();
   int status = 0;
   while (waitpid(child, &status, WNOHANG) == 0) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    if (interruption && !interruption->file.empty()) {
+      if (!std::filesystem::exists(interruption->file)) continue;
+      interruption->file.clear();
+      begun = std::chrono::steady_clock::now();
+    }
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begun;
     if (interruption && passed.count() >= interruption->after_s) {
       kill(interruption->signal == SIGKILL ? -child : child, interruption->signal);

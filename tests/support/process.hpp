@@ -3,6 +3,7 @@
 #pragma once
 
 #include <csignal>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,10 +16,11 @@ struct Finished {
   std::string out, err;
 };
 
-/// A signal to send once, so long after the start.
+/// A signal to send once, so long after the start, or after the program has made a file.
 struct Interruption {
   double after_s = 0;
   int signal = SIGKILL;
+  std::filesystem::path file{};  ///< none: counted from the start
 };
 
 /// Runs `words` (the program first) in a process group of its own, standard input empty, and waits for its end. On

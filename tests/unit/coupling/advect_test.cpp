@@ -27,14 +27,18 @@ TEST(Advect, EulerMovesByTheVelocity) {
   EXPECT_EQ(at(cells.X, 1), Vec3(4, 5, 6));
 }
 
-TEST(Advect, MovesOnlyTheVerticesItIsGiven) {
-  Cells cells = points({{1, 2, 3}, {4, 5, 6}});
-  set(cells.U, 0, {0.25, 0, 0});
-  set(cells.U, 1, {0.25, 0, 0});
-  const std::int32_t only[] = {1};
-  advect(cells, only, Advection::euler, channel);
-  EXPECT_EQ(at(cells.X, 0)[0], 1.0);
-  EXPECT_EQ(at(cells.X, 1)[0], 4.25);
+TEST(Advect, AdamsBashforthTakesThreeHalvesOfThisStepAndMinusHalfOfTheLast) {
+  // More vertices than a vector register has lanes, and a rest.
+  Cells cells = points(std::vector<Vec3>(19, Vec3(1, 2, 3)));
+  for (std::size_t v = 0; v < 19; ++v) {
+    set(cells.U, v, {0.25 * static_cast<double>(v), 0.5, 0});
+    set(cells.U_previous, v, {0.5, 0, -0.125 * static_cast<double>(v)});
+  }
+  advect(cells, Advection::adams_bashforth, channel);
+  for (std::size_t v = 0; v < 19; ++v) {
+    EXPECT_EQ(at(cells.X, v), Vec3(0.75 + 0.375 * static_cast<double>(v), 2.75, 3 + 0.0625 * static_cast<double>(v)));
+    EXPECT_EQ(at(cells.U_previous, v), at(cells.U, v));
+  }
 }
 
 TEST(Advect, TheFirstAdamsBashforthStepIsAnEulerStep) {

@@ -22,6 +22,7 @@ using testing::whole;
 
 const Lattice channel{{14, 9, 8}, {true, false, false}};
 const Lattice open_box{{12, 11, 10}, {true, true, true}};
+const Lattice long_channel{{150, 9, 8}, {true, false, false}};  // rows of five segments
 
 template <class Real>
 VectorField<Real> zero_field(const Block& block, int halo) {
@@ -127,38 +128,42 @@ TEST_P(Spread, GivesTheSameBitsOnAnyCut) {
   }
 }
 
-TEST_P(Spread, WritesOwnedNodesOfMarkedRowsOnly) {
-  Cells cells = points(anywhere(channel, 20, 19));
-  testing::random_forces(cells, 20);
-  for (const Block& block : cut(channel, {2, 2, 2})) {
-    VectorField<double> g = zero_field<double>(block, 2);
-    constexpr double untouched = 7;
-    for (Field<double>& component : g) std::ranges::fill(component.data, untouched);
-    Stencils s(GetParam(), channel, block, cells.vertices());
-    find_stencils(cells, s);
-    spread(cells.F, s, g);
-    for_each_node(block, 2, [&](int i, int j, int k) {
-      const bool is_owned = i >= 0 && j >= 0 && k >= 0 && i < block.size[0] && j < block.size[1] && k < block.size[2];
-      if (!is_owned || !s.rows[s.row(j, k)]) {
-        EXPECT_EQ(g[0](i, j, k), untouched);
-      }
-    });
+TEST_P(Spread, WritesOwnedNodesOfMarkedSegmentsOnly) {
+  for (const Lattice& lattice : {channel, long_channel}) {
+    Cells cells = points(anywhere(lattice, 20, 19));
+    testing::random_forces(cells, 20);
+    for (const Block& block : cut(lattice, {2, 2, 2})) {
+      VectorField<double> g = zero_field<double>(block, 2);
+      constexpr double untouched = 7;
+      for (Field<double>& component : g) std::ranges::fill(component.data, untouched);
+      Stencils s(GetParam(), lattice, block, cells.vertices());
+      find_stencils(cells, s);
+      spread(cells.F, s, g);
+      for_each_node(block, 2, [&](int i, int j, int k) {
+        const bool is_owned = i >= 0 && j >= 0 && k >= 0 && i < block.size[0] && j < block.size[1] && k < block.size[2];
+        if (!is_owned || !(s.rows[s.row(j, k)] >> (i >> s.segment_shift) & 1)) {
+          EXPECT_EQ(g[0](i, j, k), untouched) << i << " " << j << " " << k;
+        }
+      });
+    }
   }
 }
 
 TEST_P(Spread, IsUndoneByClearing) {
-  VectorField<float> g = zero_field<float>(whole(channel), 0);
-  Stencils s(GetParam(), channel, whole(channel), 100);
-  for (unsigned seed = 0; seed < 3; ++seed) {
-    Cells cells = points(anywhere(channel, 100, seed));
-    testing::random_forces(cells, seed);
-    find_stencils(cells, s);
-    spread(cells.F, s, g);
-    // The stencils may have moved on before the old force is cleared.
-    find_stencils(points(anywhere(channel, 100, seed + 10)), s);
-    clear_touched(s, g);
-    for (const Field<float>& component : g)
-      for (const float value : component.data) ASSERT_EQ(value, 0.0F);
+  for (const Lattice& lattice : {channel, long_channel}) {
+    VectorField<float> g = zero_field<float>(whole(lattice), 0);
+    Stencils s(GetParam(), lattice, whole(lattice), 100);
+    for (unsigned seed = 0; seed < 3; ++seed) {
+      Cells cells = points(anywhere(lattice, 100, seed));
+      testing::random_forces(cells, seed);
+      find_stencils(cells, s);
+      spread(cells.F, s, g);
+      // The stencils may have moved on before the old force is cleared.
+      find_stencils(points(anywhere(lattice, 100, seed + 10)), s);
+      clear_touched(s, g);
+      for (const Field<float>& component : g)
+        for (const float value : component.data) ASSERT_EQ(value, 0.0F);
+    }
   }
 }
 

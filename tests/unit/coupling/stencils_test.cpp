@@ -101,6 +101,58 @@ INSTANTIATE_TEST_SUITE_P(All, StencilsOf,
                          ::testing::Combine(Values(Kernel::two_point, Kernel::three_point, Kernel::four_point),
                                             Values(&channel, &open_box, &closed_box)));
 
+template <class Phi>
+void expect_weights_of(Kernel kernel, const Lattice& lattice) {
+  const Cells cells = points(anywhere(lattice, 203, 4));  // not a multiple of any vector
+  Stencils s(kernel, lattice, whole(lattice), cells.vertices());
+  find_stencils(cells, s);
+  for (std::size_t v = 0; v < cells.vertices(); ++v)
+    for (int axis = 0; axis < 3; ++axis) {
+      const double X = at(cells.X, v)[axis];
+      const auto weights = Phi::weights(X - Phi::first_node(X));
+      const auto first = static_cast<int>(Phi::first_node(X));
+      EXPECT_EQ(s.first[axis][v], lattice.wrap(axis, first));
+      for (int a = 0; a < Phi::width; ++a) EXPECT_EQ(s.weights(axis, v)[a], weights[static_cast<std::size_t>(a)]);
+    }
+}
+
+TEST_P(StencilsOf, FirstNodesAndWeightsAreThoseOfTheKernel) {
+  with_kernel(kernel, [&](auto phi) { expect_weights_of<decltype(phi)>(kernel, lattice); });
+}
+
+TEST_P(StencilsOf, MarkExactlyTheSegmentsWithNodesOfAStencil) {
+  const Lattice wide{{40, lattice.size[1], lattice.size[2]}, lattice.periodic};
+  const Cells cells = points(anywhere(wide, 25, 5));
+  for (const Block& block : cut(wide, {2, 1, 1})) {
+    Stencils s(kernel, wide, block, cells.vertices());
+    find_stencils(cells, s);
+    Array<std::uint8_t> touched(s.rows.size());
+    for (std::size_t v = 0; v < cells.vertices(); ++v)
+      for (int c = 0; c < s.width; ++c)
+        for (int b = 0; b < s.width; ++b)
+          for (int a = 0; a < s.width; ++a) {
+            Int3 local{s.first[0][v] + a, s.first[1][v] + b, s.first[2][v] + c};
+            bool is_here = true;
+            for (int axis = 0; axis < 3; ++axis) {
+              local[axis] = wide.wrap(axis, local[axis]) - block.begin[axis];
+              is_here = is_here && local[axis] >= 0 && local[axis] < block.size[axis];
+            }
+            if (is_here) touched[s.row(local[1], local[2])] |= 1U << (local[0] >> s.segment_shift);
+          }
+    EXPECT_EQ(s.rows, touched);
+  }
+}
+
+TEST(Stencils, MarkTheSegmentsTheyTouch) {
+  const Lattice wide{{64, 9, 8}, {true, false, false}};
+  Stencils s(Kernel::four_point, wide, whole(wide), 1);
+  find_stencils(points({{24.5, 4.5, 3.5}}), s);
+  EXPECT_EQ(s.rows[s.row(4, 3)], 0b0010);
+  find_stencils(points({{31.5, 4.5, 3.5}}), s);
+  EXPECT_EQ(s.rows[s.row(3, 5)], 0b0110);
+  EXPECT_EQ(s.rows[s.row(7, 3)], 0);
+}
+
 TEST(Stencils, MarkTheRowsTheyTouch) {
   const Cells cells = points({{3.2, 4.7, 2.5}});
   Stencils s(Kernel::two_point, channel, whole(channel), 1);

@@ -41,7 +41,7 @@ TEST(FluidAllocation, HappensOnlyAtConstruction) {
   for (int n = 0; n < 3; ++n) {
     block.step();
     fill_periodic_velocity(block.fluid, 0);
-    controller.update(state, mean_velocity(momentum_fixed_point(block.fluid)[0], 600, state.force));
+    controller.update(state, mean_velocity(momentum_fixed_point(block.fluid, 0), 600, state.force));
     (void)check_speed(block.fluid, 0.1);
   }
   EXPECT_EQ(allocations, before);

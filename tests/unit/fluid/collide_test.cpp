@@ -13,14 +13,14 @@ namespace {
 using testing::Column;
 using testing::velocity_of;
 
-Halves<double> halves_of(const Column& f_minus_w) {
-  Halves<double> h;
-  h.rest = f_minus_w[0];
+Pulled<double> pulled(const Column& f_minus_w) {
+  Pulled<double> pulled;
+  pulled.rest = f_minus_w[0];
   for (int p = 0; p < pairs; ++p) {
-    h.even[p] = 0.5 * (f_minus_w[1 + 2 * p] + f_minus_w[2 + 2 * p]);
-    h.odd[p] = 0.5 * (f_minus_w[1 + 2 * p] - f_minus_w[2 + 2 * p]);
+    pulled.sum[p] = f_minus_w[1 + 2 * p] + f_minus_w[2 + 2 * p];
+    pulled.difference[p] = f_minus_w[1 + 2 * p] - f_minus_w[2 + 2 * p];
   }
-  return h;
+  return pulled;
 }
 
 Column column_of(const Halves<double>& h) {
@@ -50,9 +50,9 @@ struct Node {
     for (int q = 0; q < Q; ++q) f[q] = w_q(q) + value(random);
     F = Vec3(value(random), value(random), value(random));
   }
-  [[nodiscard]] Halves<double> halves() const { return halves_of(f - weights()); }
+  [[nodiscard]] Pulled<double> populations() const { return pulled(f - weights()); }
   [[nodiscard]] Real3<double> force() const { return {F[0], F[1], F[2]}; }
-  [[nodiscard]] Moments<double> all_moments() const { return moments(halves(), force()); }
+  [[nodiscard]] Moments<double> all_moments() const { return moments(populations(), force()); }
 };
 
 Column equilibrium_of(const Moments<double>& m) {
@@ -126,8 +126,8 @@ TEST(FluidCollision, ConservesMassAndAddsTheForce) {
   const MrtRates<> mrt{.e = 1.1, .eps = 1.3, .q = 1.7, .nu = 0.9, .pi = 1.5, .m = 0.6};
   for (unsigned seed = 10; seed < 20; ++seed) {
     const Node node(seed);
-    for (const Column& after : {column_of(collide(node.halves(), node.all_moments(), trt)),
-                                column_of(collide(node.halves(), node.all_moments(), mrt))}) {
+    for (const Column& after : {column_of(collide(node.populations(), node.all_moments(), factors_of<double>(trt))),
+                                column_of(collide(node.populations(), node.all_moments(), mrt))}) {
       EXPECT_NEAR(after.sum(), (node.f - weights()).sum(), rounding);
       EXPECT_LT((first_moment(after) - first_moment(node.f) - node.F).norm(), 2 * rounding);
     }
@@ -139,7 +139,8 @@ TEST(FluidCollision, TrtIsItsDenseMatrix) {
   for (unsigned seed = 20; seed < 30; ++seed) {
     const Node node(seed);
     const Column slow = testing::collide_slowly(node.f, node.F, testing::relaxation(rates));
-    const Column fast = column_of(collide(node.halves(), node.all_moments(), rates)) + weights();
+    const Column fast =
+        column_of(collide(node.populations(), node.all_moments(), factors_of<double>(rates))) + weights();
     EXPECT_LT((slow - fast).cwiseAbs().maxCoeff(), rounding);
   }
 }
@@ -149,7 +150,7 @@ TEST(FluidCollision, MrtIsItsDenseMatrix) {
   for (unsigned seed = 30; seed < 40; ++seed) {
     const Node node(seed);
     const Column slow = testing::collide_slowly(node.f, node.F, testing::relaxation(rates));
-    const Column fast = column_of(collide(node.halves(), node.all_moments(), rates)) + weights();
+    const Column fast = column_of(collide(node.populations(), node.all_moments(), rates)) + weights();
     EXPECT_LT((slow - fast).cwiseAbs().maxCoeff(), 4 * rounding);  // the dense inverse rounds too
   }
 }
@@ -159,8 +160,8 @@ TEST(FluidCollision, MrtWithTwoRatesIsTrt) {
     for (unsigned seed = 40; seed < 50; ++seed) {
       const Node node(seed);
       const TrtRates<> trt = trt_rates(nu);
-      const Column a = column_of(collide(node.halves(), node.all_moments(), trt));
-      const Column b = column_of(collide(node.halves(), node.all_moments(), mrt_rates_of_trt(trt)));
+      const Column a = column_of(collide(node.populations(), node.all_moments(), factors_of<double>(trt)));
+      const Column b = column_of(collide(node.populations(), node.all_moments(), mrt_rates_of_trt(trt)));
       EXPECT_LT((a - b).cwiseAbs().maxCoeff(), rounding);
     }
 }
@@ -168,7 +169,7 @@ TEST(FluidCollision, MrtWithTwoRatesIsTrt) {
 TEST(FluidCollision, EachMrtRateActsOnItsOwnMoments) {
   const Node node(50);
   const MrtRates<> base{.e = 1, .eps = 1, .q = 1, .nu = 1, .pi = 1, .m = 1};
-  const Column reference = testing::basis_matrix() * column_of(collide(node.halves(), node.all_moments(), base));
+  const Column reference = testing::basis_matrix() * column_of(collide(node.populations(), node.all_moments(), base));
   const std::array<std::pair<MomentKind, double MrtRates<>::*>, 6> rates{{{MomentKind::e, &MrtRates<>::e},
                                                                           {MomentKind::eps, &MrtRates<>::eps},
                                                                           {MomentKind::q, &MrtRates<>::q},
@@ -178,7 +179,7 @@ TEST(FluidCollision, EachMrtRateActsOnItsOwnMoments) {
   for (const auto& [kind, rate] : rates) {
     MrtRates<> changed = base;
     changed.*rate = 1.4;
-    const Column after = testing::basis_matrix() * column_of(collide(node.halves(), node.all_moments(), changed));
+    const Column after = testing::basis_matrix() * column_of(collide(node.populations(), node.all_moments(), changed));
     for (int k = 0; k < Q; ++k) {
       const double change = std::abs(after[k] - reference[k]);
       // Rows sum up to 19 |f| 30 with |f| < 0.01: rounding below 1e-14, changes of the order of 1e-3.

@@ -106,7 +106,7 @@ ChannelResponse run_channel(double target, int steps) {
   set_uniform(block.fluid, Vec3::Zero(), Vec3(state.force, 0, 0));
   ChannelResponse response;
   for (int n = 0; n < steps; ++n) {
-    const double mean = mean_velocity(momentum_fixed_point(block.fluid)[0], lattice.nodes(), state.force);
+    const double mean = mean_velocity(momentum_fixed_point(block.fluid, 0), lattice.nodes(), state.force);
     if (n % controller.interval() == 0) controller.update(state, mean);
     block.body_force[0] = state.force;
     block.step();

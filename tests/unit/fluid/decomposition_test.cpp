@@ -37,10 +37,10 @@ void exchange_by_hand(std::vector<Fluid<Real>>& blocks) {
                                                                   node[a] < from.block.begin[a] + from.block.size[a]
                                                             : from.block.begin[a] == to.block.begin[a]);
                 if (!is_neighbour) continue;
-                const std::ptrdiff_t source = from.f.layout.index(
-                    node[0] - from.block.begin[0], node[1] - from.block.begin[1], node[2] - from.block.begin[2]);
+                const Int3 source{node[0] - from.block.begin[0], node[1] - from.block.begin[1],
+                                  node[2] - from.block.begin[2]};
                 for (const int q : directions_out(axis, 1 - side))
-                  to.f.direction(q)[to.f.layout.index(i, j, k)] = from.f.direction(q)[source];
+                  to.f.at(q, i, j, k) = from.f.at(q, source[0], source[1], source[2]);
               }
             }
       }
@@ -51,7 +51,7 @@ void poison_halos(Fluid<Real>& fluid) {
   testing::for_each_node(fluid.block, 1, [&](int i, int j, int k) {
     const Int3& n = fluid.block.size;
     if (i >= 0 && i < n[0] && j >= 0 && j < n[1] && k >= 0 && k < n[2]) return;
-    for (int q = 0; q < Q; ++q) fluid.f.direction(q)[fluid.f.layout.index(i, j, k)] = Real(std::nan(""));
+    for (int q = 0; q < Q; ++q) fluid.f.at(q, i, j, k) = Real(std::nan(""));
   });
 }
 
@@ -85,17 +85,15 @@ void expect_same_bits_however_cut(const std::array<bool, 3>& periodic, const Col
     return blocks;
   };
   const std::vector<Fluid<Real>> one = run({testing::whole(lattice)});
-  const auto total = momentum_fixed_point(one.front());
+  const auto total = testing::total_momentum(one.front());
   for (const Int3& parts : testing::cuts()) {
     std::array<std::int64_t, 3> sum{};
     for (const Fluid<Real>& fluid : run(testing::cut(lattice, parts))) {
-      for (int a = 0; a < 3; ++a) sum[a] += momentum_fixed_point(fluid)[a];
+      for (int a = 0; a < 3; ++a) sum[a] += testing::total_momentum(fluid)[a];
       int different = 0;
       testing::for_each_node(fluid.block, 0, [&](int i, int j, int k) {
         const Int3& b = fluid.block.begin;
-        for (int q = 0; q < Q; ++q)
-          different += fluid.f.direction(q)[fluid.f.layout.index(i, j, k)] !=
-                       one[0].f.direction(q)[one[0].f.layout.index(b[0] + i, b[1] + j, b[2] + k)];
+        for (int q = 0; q < Q; ++q) different += fluid.f.at(q, i, j, k) != one[0].f.at(q, b[0] + i, b[1] + j, b[2] + k);
         for (int a = 0; a < 3; ++a) different += fluid.u[a](i, j, k) != one[0].u[a](b[0] + i, b[1] + j, b[2] + k);
       });
       EXPECT_EQ(different, 0);

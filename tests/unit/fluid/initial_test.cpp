@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "fluid/developed.hpp"
-#include "fluid/flow_rate.hpp"
+#include "support/one_block.hpp"
 
 namespace rouleau {
 namespace {
@@ -64,7 +64,7 @@ TEST(FluidInitial, DevelopedFlowHasTheMeanVelocityAsked) {
   Fluid<double> fluid({{8, 36, 30}, {true, false, false}}, {{0, 0, 0}, {8, 36, 30}});
   const Vec3 body_force(3e-6, 0, 0);
   set_developed(fluid, 7e-4, body_force);
-  const auto momentum = momentum_fixed_point(fluid);
+  const auto momentum = testing::total_momentum(fluid);
   // Rounding of the fixed-point sum: below 1 unit a node.
   EXPECT_NEAR(mean_velocity(momentum[0], 8 * 36 * 30, body_force[0]), 7e-4, 1 / momentum_scale);
   EXPECT_EQ(momentum[1], 0);
@@ -76,7 +76,7 @@ TEST(FluidInitial, DevelopedFlowHasTheMeanVelocityAsked) {
 TEST(FluidInitial, UniformFlowOfAPeriodicBoxLastsUnchanged) {
   Fluid<double> fluid({{7, 5, 6}, {true, true, true}}, {{0, 0, 0}, {7, 5, 6}});
   set_uniform(fluid, Vec3(0.01, -0.02, 0.03), Vec3::Zero());
-  const auto momentum = momentum_fixed_point(fluid);
+  const auto momentum = testing::total_momentum(fluid);
   EXPECT_NEAR(double(momentum[2]) / momentum_scale / (7 * 5 * 6), 0.03, 1 / momentum_scale);
 }
 

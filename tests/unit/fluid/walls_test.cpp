@@ -20,8 +20,7 @@ TEST(FluidWalls, StandingOnesSendBackWhatArrives) {
   fill_halos(fluid);
   for (const int q : directions_out(2, 1)) {  // upward from below the lower wall
     const Int3 beyond{2 - c_q[q][0], 1 - c_q[q][1], -1};
-    EXPECT_EQ(fluid.f.direction(q)[fluid.f.layout.index(beyond[0], beyond[1], beyond[2])],
-              fluid.f.direction(opposite(q))[fluid.f.layout.index(2, 1, 0)]);
+    EXPECT_EQ(fluid.f.at(q, beyond[0], beyond[1], beyond[2]), fluid.f.at(opposite(q), 2, 1, 0));
   }
 }
 
@@ -30,7 +29,7 @@ TEST(FluidWalls, RestStaysExactlyAtRest) {
   set_uniform(block.fluid, Vec3::Zero(), Vec3::Zero());
   block.run(20);
   for (int q = 0; q < Q; ++q)
-    for (int i = 0; i < 9; ++i) EXPECT_EQ(block.fluid.f.direction(q)[block.fluid.f.layout.index(i, 0, 5)], 0.0F);
+    for (int i = 0; i < 9; ++i) EXPECT_EQ(block.fluid.f.at(q, i, 0, 5), 0.0F);
 }
 
 TEST(FluidWalls, ClosedBoxBringsFluidToRest) {

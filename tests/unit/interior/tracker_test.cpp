@@ -258,6 +258,17 @@ TEST(Tracker, EqualsTheSearchOfAllVerticesForEachNode) {
   EXPECT_EQ(differences(flags, slow, whole(box)), 0);
 }
 
+TEST(Tracker, FindsACellManyPeriodsAway) {
+  const auto tracked = [&](const Vec3& centre) {
+    const Cells cells = cells_of({posed(red_blood_cell(3, 9), {{1, 2, 0}, 0.9, centre})});
+    Flags flags = flags_on(whole(box));
+    Tracker(Tracking::vertex_normals, box, whole(box), cells).update(cells, flags);
+    return flags;
+  };
+  const Vec3 centre(39.53125, 18.28125, 16.15625);  // in eighths of eighths: exact wherever it is
+  EXPECT_EQ(differences(tracked(centre + Vec3(-120, 72, -64)), tracked(centre), whole(box)), 0);
+}
+
 TEST(Tracker, ObeysTheLowerIndexOfTwoVerticesEquallyClose) {
   const Surface outwards = posed(sphere(3, 6), {{0, 0, 1}, 0.3, {20.2, 18.4, 16.6}});
   Surface inwards = outwards;  // the same vertices, each triangle turned around: says the opposite everywhere

@@ -1,4 +1,4 @@
-# Compiles membrane_forces.cpp with the compiler's vectorisation report; fails unless every TRIANGLE_LOOP was vectorised
+# Compiles membrane_forces.cpp with the compiler's vectorisation report; fails unless every BLOCK_LOOP was vectorised
 # at the full width of this machine's registers.
 set(flags -std=c++20 -O3 -DNDEBUG -march=native -mprefer-vector-width=512 -ffp-contract=off -fno-math-errno
   -fno-trapping-math -fopenmp-simd)
@@ -21,7 +21,7 @@ set(number 0)
 set(loops 0)
 foreach(line IN LISTS lines)
   math(EXPR number "${number} + 1")
-  if(line MATCHES "^ +TRIANGLE_LOOP")
+  if(line MATCHES "^ +BLOCK_LOOP")
     math(EXPR loops "${loops} + 1")
     math(EXPR loop_line "${number} + 1")
     set(wanted "membrane_forces.cpp:${loop_line}:[0-9]+: optimized: loop vectorized using ${width} byte vectors")
@@ -31,6 +31,6 @@ foreach(line IN LISTS lines)
   endif()
 endforeach()
 if(loops LESS 3)
-  message(FATAL_ERROR "found ${loops} triangle loops in ${SOURCE}, expected 3 or more")
+  message(FATAL_ERROR "found ${loops} block loops in ${SOURCE}, expected 3 or more")
 endif()
-message(STATUS "${loops} triangle loops vectorised with ${width} bytes")
+message(STATUS "${loops} block loops vectorised with ${width} bytes")
