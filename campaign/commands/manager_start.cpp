@@ -109,7 +109,7 @@ bool Manager::start_point(const PointRow& point, const Cores& cores) {
   AttemptRow attempt = planned_attempt(point, cores);
   const std::string how = attempt.checkpoint_at_start < 0
                               ? "from the start"
-                              : fmt::format("from checkpoint {}", attempt.checkpoint_at_start);
+                              : fmt::format("again, newest checkpoint on disk {}", attempt.checkpoint_at_start);
   const std::filesystem::path run = run_directory(point.key);
   ProcessIdentity process;
   std::string trouble;
@@ -138,7 +138,7 @@ bool Manager::start_point(const PointRow& point, const Cores& cores) {
   attempt.state = AttemptState::launched;
   store_.put_attempt(attempt);
   living_.push_back({point.key, point.ordinal, attempt.number, attempt.ranks, true, process});
-  const char* where = cores.empty() ? "" : cores.size() > 1 ? " on cores " : " on core ";
+  const char* where = cores.empty() ? "" : cores.size() > 1 ? ", on cores " : ", on core ";
   say_(fmt::format("{}: attempt {} started {}{}{}", name_of(point), attempt.number, how, where, to_text(cores)));
   return true;
 }

@@ -45,10 +45,4 @@ struct Fluid {
 /// All of the lattice in one block.
 inline Block whole_block(const Lattice& lattice) { return {{0, 0, 0}, lattice.size}; }
 
-/// Fills the velocity halo along an axis whose period lies within the block. Call for x, y, z in this order.
-template <class Real>
-void fill_periodic_velocity(Fluid<Real>& fluid, int axis) {
-  for (Field<Real>& component : fluid.u) fill_periodic(component, axis);
-}
-
 }  // namespace rouleau
