@@ -71,6 +71,19 @@ ROW_INLINE inline void store(Real* to, const Pack<Real>& pack) {
   std::memcpy(to, &pack, sizeof pack);
 }
 
+/// The first `count` lanes, 0 < count < lanes.
+template <class Real>
+ROW_INLINE inline void store_first(Real* to, const Pack<Real>& pack, int count) {
+#if defined(__AVX512F__)
+  if constexpr (std::is_same_v<Real, float>)
+    _mm512_mask_storeu_ps(to, static_cast<__mmask16>((1U << count) - 1), pack);
+  else
+    _mm512_mask_storeu_pd(to, static_cast<__mmask8>((1U << count) - 1), pack);
+#else
+  std::memcpy(to, &pack, static_cast<std::size_t>(count) * sizeof(Real));
+#endif
+}
+
 /// a b + c, rounded once, of plain numbers or packs.
 template <class T>
 ROW_INLINE inline T fused(const T& a, const T& b, const T& c) {

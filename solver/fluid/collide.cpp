@@ -73,49 +73,7 @@ bool load_flags(const std::uint8_t* flags, Run run, Real* inside) {
   return true;
 }
 
-/// A row of one pack for the nodes left over behind the last whole pack of a row.
-template <class Real>
-class LeftOver {
- public:
-  explicit LeftOver(int size) : begin_(size / lanes<Real> * lanes<Real>), count_(size - begin_) {}
-
-  [[nodiscard]] Run nodes() const { return {begin_, begin_ + count_}; }
-
-  /// Call before the whole packs are stepped: they overwrite the node to the west.
-  void load(const Row<Real>& row, const WestPacks<Real>& into_row) {
-    if (count_ == 0) return;
-    row_.body_force = row.body_force;
-    for (std::size_t e = 0; e < eastward.size(); ++e)
-      west_[e] = begin_ == 0 ? into_row[e] : broadcast<Pack<Real>>(row.f[eastward[e]][begin_ - 1]);
-    for (std::size_t q = 0; q < Q; ++q) row_.f[q] = copy_in(values_[q], row.f[q], count_ + 1);
-    for (std::size_t a = 0; a < 3; ++a) row_.g[a] = copy_in(values_[Q + a], row.g[a], count_);
-    for (std::size_t a = 0; a < 3; ++a) row_.u[a] = values_[Q + 3 + a].data();
-  }
-
-  template <class Rates>
-  void step(const Row<Real>& row, const RowKind& kind, const TwoFluids<Rates>& rates) {
-    if (count_ == 0) return;
-    if (kind.has_inside) row_.inside = copy_in(values_[Q + 6], row.inside, count_);
-    step_row(row_, {0, lanes<Real>}, kind, rates, west_);
-    for (std::size_t q = 0; q < Q; ++q) std::copy_n(row_.f[q], count_, row.f[q] + begin_);
-    for (std::size_t a = 0; a < 3 && kind.has_membrane; ++a) std::copy_n(row_.u[a], count_, row.u[a] + begin_);
-  }
-
- private:
-  using Values = std::array<Real, 2 * lanes<Real>>;
-
-  Real* copy_in(Values& to, const Real* row, int count) const {
-    std::copy_n(row + begin_, count, to.data());
-    return to.data();
-  }
-
-  int begin_, count_;
-  std::array<Values, Q + 7> values_{};
-  WestPacks<Real> west_{};
-  Row<Real> row_;
-};
-
-/// The runs of a row before, within and behind the segments that membranes touch. `size`: nodes in whole packs.
+/// The runs of a row before, within and behind the segments that membranes touch.
 std::array<Run, 3> runs_of(unsigned segments, int shift, int size) {
   if (segments == 0) return {{{0, size}, {size, size}, {size, size}}};
   const int begin = std::min(size, std::countr_zero(segments) << shift);
@@ -131,8 +89,6 @@ void collide_and_stream(Fluid<Real>& fluid, const Collision& collision, const Fi
   const Int3 size = fluid.block.size;
   fluid.f.advance();  // now f_q of the row (j, k) is what streams there, before the collision and after it
   const RowsOfDirections<Real> rows(fluid.f);
-  LeftOver<Real> left_over(size[0]);
-  const int whole_packs = size[0] / lanes<Real> * lanes<Real>;
   Row<Real> row;
   row.body_force = {Real(body_force[0]), Real(body_force[1]), Real(body_force[2])};
   row.inside = fluid.inside_row.data();
@@ -146,17 +102,14 @@ void collide_and_stream(Fluid<Real>& fluid, const Collision& collision, const Fi
           row.u[a] = &fluid.u[a](0, j, k);
         }
         WestPacks<Real> west = stream_in(row, size[0], fluid.closes_x());
-        left_over.load(row, west);
         const std::uint8_t* const flags = &inside(0, j, k);
         const unsigned segments = membranes.segments.empty() ? 0xff : membranes.segments[r];
-        const std::array<Run, 3> runs = runs_of(segments, membranes.segment_shift, whole_packs);
+        const std::array<Run, 3> runs = runs_of(segments, membranes.segment_shift, size[0]);
         for (std::size_t p = 0; p < runs.size(); ++p) {
           if (runs[p].begin == runs[p].end) continue;
           const bool has_inside = load_flags(flags, runs[p], fluid.inside_row.data());
           step_row(row, runs[p], {p == 1, has_inside}, rates, west);
         }
-        const bool has_inside = load_flags(flags, left_over.nodes(), fluid.inside_row.data());
-        left_over.step(row, {(segments >> (whole_packs >> membranes.segment_shift) & 1) != 0, has_inside}, rates);
       }
   };
   std::visit([&](const auto& law) { step_rows(in_precision<Real>(law)); }, collision);

@@ -6,7 +6,8 @@
 
 namespace rouleau {
 
-/// Pointers to node x = 0 of a row in everything its step reads and writes.
+/// Pointers to node x = 0 of a row in everything its step reads and writes. Whole packs are read: behind the last node
+/// there must be memory, whose values do not matter.
 template <class Real>
 struct Row {
   std::array<Real*, Q> f{};  ///< f_q: where direction q streams here from, one node further along x; then f_q here
@@ -48,12 +49,27 @@ ROW_INLINE inline Pulled<Pack<Real>> pull(const Row<Real>& row, int x, WestPacks
   return pulled;
 }
 
-template <class Real>
-ROW_INLINE inline void push(const Row<Real>& row, int x, const Halves<Pack<Real>>& f) {
-  store(row.f[0] + x, f.rest);
+/// How a pack of results is stored: as a whole, or its first nodes at the end of a row that is no multiple of a pack.
+struct WholePack {
+  template <class Real>
+  ROW_INLINE void operator()(Real* to, const Pack<Real>& pack) const {
+    store(to, pack);
+  }
+};
+struct FirstNodes {
+  int count;
+  template <class Real>
+  ROW_INLINE void operator()(Real* to, const Pack<Real>& pack) const {
+    store_first(to, pack, count);
+  }
+};
+
+template <class Real, class Store>
+ROW_INLINE inline void push(const Row<Real>& row, int x, const Halves<Pack<Real>>& f, const Store& store_pack) {
+  store_pack(row.f[0] + x, f.rest);
   unrolled<pairs>([&](auto p) ROW_INLINE {
-    store<Real>(row.f[1 + 2 * p] + x, f.even[p] + f.odd[p]);
-    store<Real>(row.f[2 + 2 * p] + x, f.even[p] - f.odd[p]);
+    store_pack.template operator()<Real>(row.f[1 + 2 * p] + x, f.even[p] + f.odd[p]);
+    store_pack.template operator()<Real>(row.f[2 + 2 * p] + x, f.even[p] - f.odd[p]);
   });
 }
 
@@ -67,26 +83,31 @@ ROW_INLINE inline Real3<Pack<Real>> force_at(const Row<Real>& row, int x) {
   return F;
 }
 
-template <RowKind kind, class Real, class Rates>
-ROW_INLINE inline void step_pack(const Row<Real>& row, const TwoFluids<Rates>& rates, int x, WestPacks<Real>& west) {
+template <RowKind kind, class Real, class Rates, class Store>
+ROW_INLINE inline void step_pack(const Row<Real>& row, const TwoFluids<Rates>& rates, int x, WestPacks<Real>& west,
+                                 const Store& store_pack) {
   using V = Pack<Real>;
   const Pulled<V> f = pull(row, x, west);
   const Moments<V> m = moments(f, force_at<kind.has_membrane>(row, x));
-  if constexpr (kind.has_membrane) unrolled<3>([&](auto a) ROW_INLINE { store<Real>(row.u[a] + x, m.u[a]); });
+  if constexpr (kind.has_membrane)
+    unrolled<3>([&](auto a) ROW_INLINE { store_pack.template operator()<Real>(row.u[a] + x, m.u[a]); });
   if constexpr (kind.has_inside)
-    push(row, x, collide(f, m, in_lanes<V>(load(row.inside + x) != V{}, rates.inside, rates.outside)));
+    push(row, x, collide(f, m, in_lanes<V>(load(row.inside + x) != V{}, rates.inside, rates.outside)), store_pack);
   else
-    push(row, x, collide(f, m, in_lanes<V>(rates.outside)));
+    push(row, x, collide(f, m, in_lanes<V>(rates.outside)), store_pack);
 }
 
 template <RowKind kind, class Real, class Rates>
 void step_row_as(const Row<Real>& row, Run run, const TwoFluids<Rates>& rates, WestPacks<Real>& west) {
   WestPacks<Real> west_here = west;
-  for (int x = run.begin; x < run.end; x += lanes<Real>) step_pack<kind>(row, rates, x, west_here);
+  int x = run.begin;
+  for (; x + lanes<Real> <= run.end; x += lanes<Real>) step_pack<kind>(row, rates, x, west_here, WholePack{});
+  if (x < run.end) step_pack<kind>(row, rates, x, west_here, FirstNodes{run.end - x});
   west = west_here;
 }
 
-/// Streams and collides a run of a row, in one of four loops. `west` goes on from run to run.
+/// Streams and collides a run of a row, in one of four loops. A run begins on a pack, and ends on one unless it is the
+/// last of its row. `west` goes on from run to run.
 template <class Real, class Rates>
 void step_row(const Row<Real>& row, Run run, const RowKind& kind, const TwoFluids<Rates>& rates,
               WestPacks<Real>& west) {
