@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A short run by hand, read back from its exit.json.
+// Short runs by hand, read back from their exit.json.
 #include "commands/calibrate.hpp"
 
 #include <chrono>
+#include <future>
 
 #include "executor/cores.hpp"
 #include "executor/local.hpp"
@@ -14,22 +15,17 @@
 
 namespace rouleau::campaign {
 
-Calibration calibrate(const std::string& run_file, const std::filesystem::path& files, double seconds, int ranks) {
-  const ScratchDirectory scratch;
-  const std::filesystem::path run = scratch.path() / "points" / "calibration";
-  std::filesystem::create_directories(run);
-  if (std::filesystem::exists(files)) {
-    std::filesystem::create_directory_symlink(std::filesystem::absolute(files), scratch.path() / "files");
-  }
-  write_whole_file(run / "run.ini", run_file);
+namespace {
 
+/// One of the solvers.
+Calibration run_one(const std::string& run_file, const std::filesystem::path& run, double seconds, int ranks) {
+  std::filesystem::create_directories(run);
+  write_whole_file(run / "run.ini", run_file);
   std::vector<std::string> command = mpi_prefix(ranks, static_cast<int>(allowed_cores().size()));
   command.insert(command.end(), {find_solver().string(), "run.ini", "--quiet", "--deadline-s", shortest(seconds)});
-  const auto start = std::chrono::steady_clock::now();
   const Capture capture = run_and_capture(command, run);
-  Calibration result;
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
+  Calibration result;
   std::vector<std::string> warnings;
   const auto exit = read_exit_file(run / "attempts" / "1" / "exit.json", warnings);
   if (!exit || !exit->mlups || *exit->mlups <= 0) {
@@ -39,6 +35,30 @@ Calibration calibrate(const std::string& run_file, const std::filesystem::path& 
     result.mlups = *exit->mlups;
   }
   return result;
+}
+
+}  // namespace
+
+Calibration calibrate(const std::string& run_file, const std::filesystem::path& files, double seconds, int ranks,
+                      int jobs) {
+  const ScratchDirectory scratch;
+  if (std::filesystem::exists(files)) {
+    std::filesystem::create_directory_symlink(std::filesystem::absolute(files), scratch.path() / "files");
+  }
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<std::future<Calibration>> runs;
+  for (int job = 0; job < jobs; ++job) {
+    runs.push_back(std::async(std::launch::async, run_one, run_file,
+                              scratch.path() / "points" / fmt::format("calibration-{}", job), seconds, ranks));
+  }
+  Calibration mean;
+  for (auto& run : runs) {
+    const Calibration one = run.get();
+    mean.mlups += one.mlups / jobs;
+    if (mean.trouble.empty()) mean.trouble = one.trouble;
+  }
+  mean.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return mean;
 }
 
 }  // namespace rouleau::campaign

@@ -16,9 +16,10 @@ struct Calibration {
   std::string trouble;  ///< why there is no figure; empty: there is one
 };
 
-/// Runs the solver on a copy of the run file in a scratch directory until a deadline of about `seconds`, with `ranks`
-/// on the cores of this process. `files` are found below `base` by their stored names.
+/// Runs `jobs` solvers side by side, as the campaign will (they share caches and memory), each on a copy of the run
+/// file in a scratch directory, with `ranks` on the cores of this process, until a deadline of about `seconds`. The
+/// result is the mean of one. The run file's own files are found below `files` by their stored names.
 [[nodiscard]] Calibration calibrate(const std::string& run_file, const std::filesystem::path& files, double seconds,
-                                    int ranks);
+                                    int ranks, int jobs);
 
 }  // namespace rouleau::campaign

@@ -129,24 +129,31 @@ PlannedPoint planned(const Item& item) {
   return planned;
 }
 
+int jobs_of(const Plan& plan) {
+  const Execution& execution = plan.study.execution;
+  return jobs_at_a_time(static_cast<int>(execution.jobs), static_cast<int>(execution.ranks),
+                        static_cast<int>(allowed_cores().size()), execution.oversubscribe != 0);
+}
+
 void calibrate_if_needed(const CommandLine& line, Plan& plan) {
-  const bool has_work =
-      std::any_of(plan.items.begin(), plan.items.end(), [](const Item& item) { return planned(item).steps_left > 0; });
-  if (plan.cost || line.is_set("no-calibrate") || !has_work || plan.run_file.empty()) return;
+  const auto points_left = std::count_if(plan.items.begin(), plan.items.end(),
+                                         [](const Item& item) { return planned(item).steps_left > 0; });
+  if (plan.cost || line.is_set("no-calibrate") || points_left == 0 || plan.run_file.empty()) return;
   const auto first =
       std::find_if(plan.items.begin(), plan.items.end(), [](const Item& i) { return !is_final(i.state); });
   const double seconds = line.get<double>("calibrate-s");
   const int ranks = static_cast<int>(plan.study.execution.ranks);
   if (!line.quiet) line.io.err << fmt::format("measuring the solver's speed for {:.3g} s ...", seconds) << std::endl;
-  const Calibration measured = calibrate(plan.run_file, plan.files, seconds, ranks);
+  const int jobs = static_cast<int>(std::min<std::ptrdiff_t>(jobs_of(plan), points_left));
+  const Calibration measured = calibrate(plan.run_file, plan.files, seconds, ranks, jobs);
   if (!measured.trouble.empty()) {
     line.io.err << "no speed could be measured: " << measured.trouble << std::endl;
     return;
   }
   const RunFacts& facts = first->point.facts;
   plan.cost = core_seconds_per_cost(measured.mlups, ranks, facts.nodes, facts.relative_cost_per_step);
-  plan.source =
-      fmt::format("speed measured on {}: {:.3g} MLUPS on {} ranks", first->point.label(), measured.mlups, ranks);
+  plan.source = fmt::format("speed measured on {}, {} side by side: {:.3g} MLUPS each on {} ranks",
+                            first->point.label(), jobs, measured.mlups, ranks);
 }
 
 struct Totals {
@@ -154,12 +161,6 @@ struct Totals {
   double core_hours = 0, disk_MiB = 0;
   std::vector<double> hours;  ///< of each point
 };
-
-int jobs_of(const Plan& plan) {
-  const Execution& execution = plan.study.execution;
-  return jobs_at_a_time(static_cast<int>(execution.jobs), static_cast<int>(execution.ranks),
-                        static_cast<int>(allowed_cores().size()), execution.oversubscribe != 0);
-}
 
 Value known(const Plan& plan, double value) { return plan.cost ? Value(value) : Value(std::monostate{}); }
 
