@@ -3,37 +3,15 @@
 // program by one that counts. (What MPI takes for its messages it takes by malloc.)
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
-
 #include "run/simulation.hpp"
 #include "storage/file_system.hpp"
+#include "support/counted_allocations.hpp"
 #include "support/temporary_directory.hpp"
-
-namespace {
-
-long allocations = 0;
-
-void* counted(std::size_t bytes, std::size_t alignment) {
-  ++allocations;
-  void* p = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
-  if (p == nullptr) throw std::bad_alloc();
-  return p;
-}
-
-}  // namespace
-
-void* operator new(std::size_t bytes) { return counted(bytes, alignof(std::max_align_t)); }
-void* operator new(std::size_t bytes, std::align_val_t alignment) {
-  return counted(bytes, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
 
 namespace rouleau {
 namespace {
+
+using testing::allocations;
 
 /// Long enough for the control of the mean velocity, the correction and the seam to have their turn.
 void allocates_nothing(const std::string& numerics) {

@@ -2,8 +2,6 @@
 // What runs each step takes no memory from the heap.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
 #include <vector>
 
 #include "base/grid.hpp"
@@ -13,31 +11,12 @@
 #include "membrane/volume.hpp"
 #include "membrane/wrap.hpp"
 #include "sample_cells.hpp"
-
-namespace {
-
-long allocations = 0;
-
-void* counted(std::size_t bytes, std::size_t alignment) {
-  ++allocations;
-  void* p = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
-  if (p == nullptr) throw std::bad_alloc();
-  return p;
-}
-
-}  // namespace
-
-void* operator new(std::size_t bytes) { return counted(bytes, alignof(std::max_align_t)); }
-void* operator new(std::size_t bytes, std::align_val_t alignment) {
-  return counted(bytes, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+#include "support/counted_allocations.hpp"
 
 namespace rouleau {
 namespace {
+
+using testing::allocations;
 
 TEST(MembraneAllocation, NothingIsAllocatedInAStep) {
   Cells cells = test::one_cell(red_blood_cell(3, 8));
