@@ -124,7 +124,9 @@ class PointCheck {
     for (const AttemptRow& row : rows) {
       const std::filesystem::path folder = directory_ / "attempts" / std::to_string(row.number);
       if (std::find(folders.begin(), folders.end(), row.number) == folders.end()) {
-        if (row.state != AttemptState::planned) damage(folder, "it is gone, the database knows it");
+        // A manager killed between its intent and the launch leaves a row without a folder, closed by the next manager.
+        const bool was_launched = row.state == AttemptState::launched || row.pid != 0 || row.exit_code || row.step;
+        if (was_launched) damage(folder, "it is gone, the database knows it");
         continue;
       }
       std::vector<std::string> warnings;

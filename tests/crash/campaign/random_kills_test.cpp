@@ -125,7 +125,8 @@ void expect_no_trace(const CampaignProgram& undisturbed, const CampaignProgram& 
   for (const PointRow& point : found.points) attempts += disturbed.store().attempts(point.key).size();
   EXPECT_GT(attempts, found.points.size()) << "no kill has hit a job: the test proves nothing";
   ::testing::Test::RecordProperty("attempts", static_cast<int>(attempts));
-  EXPECT_EQ(disturbed.rouleau({"verify", "c"}).status, 0) << "and the campaign's own check agrees";
+  const auto check = disturbed.rouleau({"verify", "c"});
+  EXPECT_EQ(check.status, 0) << "the campaign's own check disagrees:\n" << check.out << check.err;
 }
 
 TEST(CampaignCrash, RandomKillsLeaveNoTraceInTheDatabase) {

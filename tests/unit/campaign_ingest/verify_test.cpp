@@ -42,6 +42,7 @@ class VerifyTest : public ::testing::Test {
     attempt.point = key_;
     attempt.number = 1;
     attempt.state = AttemptState::ended;
+    attempt.pid = 4711;
     store_.put_attempt(attempt);
     set_content(campaign_.log(key_), log_header + log_lines(0, 100000));
     ingest_point(store_, campaign_.path(), key_);
@@ -101,6 +102,16 @@ TEST_F(VerifyTest, DamagedPointFileIsFound) {
 TEST_F(VerifyTest, VanishedAttemptAndLogAreFound) {
   std::filesystem::remove_all(campaign_.run(key_) / "attempts" / "1");
   EXPECT_THAT(findings(), ElementsAre(damage("attempts/1", "it is gone")));
+}
+
+TEST_F(VerifyTest, AttemptOfWhichOnlyTheIntentWasWrittenNeedsNoFolder) {
+  AttemptRow attempt;
+  attempt.point = key_;
+  attempt.number = 2;
+  attempt.state = AttemptState::ended;  // closed by the manager that came after the killed one
+  store_.put_attempt(attempt);
+  write_result_file(store_, campaign_.path(), key_);
+  EXPECT_THAT(findings(), IsEmpty());
 }
 
 TEST_F(VerifyTest, NewsAreRemarksOnly) {
