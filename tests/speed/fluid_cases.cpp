@@ -18,12 +18,14 @@ std::size_t array_bytes(const testing::OneBlock<Real>& block) {
   return values * sizeof(Real) + block.inside.data.size();
 }
 
-/// What the step needs: 19 populations with one halo node, the velocity with two, the membrane force.
-std::ptrdiff_t values_needed(const Int3& size) {
+/// What the step needs: 19 populations with one halo node, the velocity with two, the membrane force, and a byte of
+/// flag with one halo node.
+template <class Real>
+std::ptrdiff_t bytes_needed(const Int3& size) {
   const auto with_halo = [&](int halo) {
     return Lattice{{size[0] + 2 * halo, size[1] + 2 * halo, size[2] + 2 * halo}}.nodes();
   };
-  return Q * with_halo(1) + 3 * with_halo(2) + 3 * with_halo(0);
+  return (Q * with_halo(1) + 3 * with_halo(2) + 3 * with_halo(0)) * std::ptrdiff_t{sizeof(Real)} + with_halo(1);
 }
 
 }  // namespace
@@ -45,7 +47,7 @@ struct FluidCases::Case {
   void note_memory(Series& series) const {
     const Lattice& lattice = block.fluid.lattice;
     const auto bytes = static_cast<double>(array_bytes(block));
-    const auto needed = static_cast<double>(values_needed(lattice.size)) * sizeof(Real);
+    const auto needed = static_cast<double>(bytes_needed<Real>(lattice.size));
     series.add("fluid_bytes_per_node" + ending, bytes / static_cast<double>(lattice.nodes()));
     series.add("fluid_bytes_over_needed" + ending, bytes / needed);
   }
