@@ -26,7 +26,7 @@ struct Populations {
     // A step walks 19 streams side by side. Spacing them 27 cache lines apart modulo a page spreads them over all sets
     // of a first-level cache (19 multiples of 27 leave gaps of 3 or 4 lines in 64).
     constexpr std::ptrdiff_t line = cache_line / sizeof(Real), page = 64 * line;
-    stride_q = (layout.count + page - 1) / page * page + 27 * line;
+    stride_q = (layout.count - 27 * line + page - 1) / page * page + 27 * line;
     data.resize(static_cast<std::size_t>(stride_q * Q));
   }
 

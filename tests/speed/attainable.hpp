@@ -18,7 +18,7 @@ class ScaledInPlace {
   explicit ScaledInPlace(const Int3& size) : layout_(size, 1) {
     // 27 cache lines apart modulo a page: 19 streams then fall into different sets of a first-level cache.
     constexpr std::ptrdiff_t line = cache_line / sizeof(Real), page = 64 * line;
-    stride_q_ = (layout_.count + page - 1) / page * page + 27 * line;
+    stride_q_ = (layout_.count - 27 * line + page - 1) / page * page + 27 * line;
     data_.assign(static_cast<std::size_t>(stride_q_ * Q), Real(1e-3));
   }
 
