@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which layers of a field its halo is filled from, and the filling when an axis is periodic within one block.
+// Which layers of a field its halo is filled from, and copying one when an axis is periodic within one block.
 //
 // Halos are filled axis after axis, x, y, z. Each phase carries along the halo nodes of the axes before it, so that
 // edges and corners arrive without messages of their own.
@@ -40,17 +40,6 @@ void copy_layer(const Layout& layout, const Rows<T>& rows, int axis, int from, i
       const T* const source = rows(j + shift[1], k + shift[2]) + shift[0];
       std::copy(source + box.begin[0], source + box.end[0], rows(j, k) + box.begin[0]);
     }
-}
-
-/// Fills both halos along an axis whose period lies within the block. Call for x, y, z in this order.
-template <class T>
-void fill_periodic(Field<T>& field, int axis) {
-  const int n = field.layout.size[axis];
-  const Rows<T> rows = field.layout.rows(field.data.data());
-  for (int d = 1; d <= field.layout.halo; ++d) {
-    copy_layer(field.layout, rows, axis, n - 1 - (d - 1) % n, -d);
-    copy_layer(field.layout, rows, axis, (d - 1) % n, n - 1 + d);
-  }
 }
 
 }  // namespace rouleau

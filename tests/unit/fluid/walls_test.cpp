@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Walls and periodic halos. (Walls in motion, in all combinations and corners, are compared in step_test.cpp.)
+// Walls. (Walls in motion, in all combinations and corners, are compared in step_test.cpp.)
 #include "fluid/walls.hpp"
 
 #include <gtest/gtest.h>
@@ -65,19 +65,6 @@ TEST(FluidWalls, ImpossibleVelocitiesAreRefused) {
   u[2][1] = Vec3::Zero();
   u[0][0] = Vec3(0, 0.01, 0);  // x has no walls
   EXPECT_THROW(require_wall_velocities(channel, u), Error);
-}
-
-TEST(FluidHalo, PeriodicFieldWrapsAroundEvenWhenNarrowerThanItsHalo) {
-  const Lattice lattice{{5, 1, 3}, {true, true, true}};
-  Field<double> field(lattice.size, 2);
-  const auto value = [](int i, int j, int k) { return i + 10 * j + 100 * k; };
-  for (int k = 0; k < 3; ++k)
-    for (int i = 0; i < 5; ++i) field(i, 0, k) = value(i, 0, k);
-  for (int axis = 0; axis < 3; ++axis) fill_periodic(field, axis);
-  for (int k = -2; k < 5; ++k)
-    for (int j = -2; j < 3; ++j)
-      for (int i = -2; i < 7; ++i)
-        EXPECT_EQ(field(i, j, k), value(lattice.wrap(0, i), lattice.wrap(1, j), lattice.wrap(2, k)));
 }
 
 }  // namespace
