@@ -111,6 +111,7 @@ std::optional<ProgressFile> read_progress_file(const std::filesystem::path& file
     progress.mlups = field<double>(json, "mlups");
     progress.eta_s = field<double>(json, "eta_s");
     progress.checkpoint_unix_s = field<double>(json, "checkpoint_unix_s");
+    if (progress.checkpoint_unix_s == 0) progress.checkpoint_unix_s.reset();  // this attempt has written none yet
     progress.checkpoint_ms = field<double>(json, "checkpoint_ms");
     progress.d_um = field<double>(json, "d_um");
     progress.asphericity = field<double>(json, "asphericity");

@@ -50,6 +50,14 @@ TEST_F(RunFilesTest, ProgressIsReadWithNullsAsUnset) {
   EXPECT_EQ(progress->d_um, std::nullopt);
 }
 
+TEST_F(RunFilesTest, TimeOfACheckpointThatIsNotThereIsUnset) {
+  set_content(attempt_ / "progress.json",
+             R"({"attempt": 1, "step": 5, "end_step": 9, "checkpoint_step": 0, "checkpoint_unix_s": 0.0})");
+  const std::optional<ProgressFile> progress = read_progress_file(attempt_ / "progress.json", warnings_);
+  ASSERT_TRUE(progress);
+  EXPECT_FALSE(progress->checkpoint_unix_s) << "read as a checkpoint of 1970";
+}
+
 TEST_F(RunFilesTest, MissingFileIsNothingAndNoWarning) {
   EXPECT_EQ(read_exit_file(attempt_ / "exit.json", warnings_).has_value(), false);
   EXPECT_THAT(warnings_, IsEmpty());
