@@ -32,6 +32,9 @@ Json json_of(const ResultRow& result) {
           {"d_period_s", json_of(result.d_period_s)},
           {"asphericity_mean", json_of(result.asphericity_mean)},
           {"asphericity_error", json_of(result.asphericity_error)},
+          {"tank_treading_per_s", json_of(result.tank_treading_per_s)},
+          {"tank_treading_error_per_s", json_of(result.tank_treading_error_per_s)},
+          {"tank_treading_reason", result.tank_treading_reason},
           {"class", result.phase},
           {"class_reason", result.phase_reason},
           {"note", result.note}};

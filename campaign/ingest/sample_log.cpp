@@ -28,7 +28,7 @@ struct Damage : std::runtime_error {
 template <class T>
 using Measure = std::pair<std::string_view, std::optional<T> SampleRow::*>;
 
-constexpr std::array<Measure<double>, 12> real_measures = {{
+constexpr std::array<Measure<double>, 24> real_measures = {{
     {"d_um", &SampleRow::d_um},
     {"x_um", &SampleRow::x_um},
     {"y_um", &SampleRow::y_um},
@@ -41,6 +41,18 @@ constexpr std::array<Measure<double>, 12> real_measures = {{
     {"mean_velocity_mm_per_s", &SampleRow::mean_velocity_mm_per_s},
     {"pressure_gradient_Pa_per_m", &SampleRow::pressure_gradient_Pa_per_m},
     {"velocity_x_mm_per_s", &SampleRow::velocity_x_mm_per_s},
+    {"taylor_deformation", &SampleRow::taylor_deformation},
+    {"angle_xz_deg", &SampleRow::angle_xz_deg},
+    {"angle_xy_deg", &SampleRow::angle_xy_deg},
+    {"extent_x_um", &SampleRow::extent_x_um},
+    {"extent_y_um", &SampleRow::extent_y_um},
+    {"extent_z_um", &SampleRow::extent_z_um},
+    {"marker_y_dx_um", &SampleRow::marker_y_dx_um},
+    {"marker_y_dy_um", &SampleRow::marker_y_dy_um},
+    {"marker_y_dz_um", &SampleRow::marker_y_dz_um},
+    {"marker_z_dx_um", &SampleRow::marker_z_dx_um},
+    {"marker_z_dy_um", &SampleRow::marker_z_dy_um},
+    {"marker_z_dz_um", &SampleRow::marker_z_dz_um},
 }};
 constexpr std::array<Measure<std::int64_t>, 2> whole_measures = {{
     {"inside_nodes", &SampleRow::inside_nodes},

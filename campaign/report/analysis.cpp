@@ -10,6 +10,7 @@
 
 #include "report/block_average.hpp"
 #include "report/oscillation.hpp"
+#include "report/tank_treading.hpp"
 
 namespace rouleau::campaign {
 namespace {
@@ -158,6 +159,10 @@ ResultRow analyse_cell(std::string_view point, std::span<const SampleRow> sample
     result.d_amplitude_um = oscillation.amplitude;
     result.d_period_s = oscillation.period;
   }
+  const TankTreading turning = tank_treading(samples, end - span + tolerance(span));
+  result.tank_treading_per_s = turning.per_s;
+  result.tank_treading_error_per_s = turning.error_per_s;
+  result.tank_treading_reason = turning.reason;
   classify(result, settings, drift_of(samples, window, result.d_period_s));
   return result;
 }

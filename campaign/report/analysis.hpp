@@ -22,6 +22,8 @@ namespace rouleau::campaign {
 ///
 /// Oscillation. d in the last oscillation_window_s, at most the second half of the run, at least the window.
 ///
+/// Tank-treading (tank_treading.hpp), over the same span as the oscillation.
+///
 /// Class, of the mean displacement d in the window and its change c from the window before:
 ///     croissant   d <= croissant_d_um  and   c <= drift_um    (centred, and not on its way out)
 ///     slipper     d >= slipper_d_um    and  -c <= drift_um    (off-centre, and not on its way in)

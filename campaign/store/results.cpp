@@ -7,14 +7,15 @@ namespace {
 
 void insert_result(const Database& database, const std::string& table, const ResultRow& r) {
   database
-      .prepare(
-          "INSERT OR REPLACE INTO " + table +
-          " (point, cell, window_s, window_start_s, time_s, samples, step, d_mean_um, d_error_um, d_change_um, "
-          "d_amplitude_um, d_period_s, asphericity_mean, asphericity_error, class, class_reason, note) "
-          "VALUES ((SELECT ordinal FROM main.point WHERE key = ?), ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      .prepare("INSERT OR REPLACE INTO " + table +
+               " (point, cell, window_s, window_start_s, time_s, samples, step, d_mean_um, d_error_um, d_change_um, "
+               "d_amplitude_um, d_period_s, asphericity_mean, asphericity_error, tank_treading_per_s, "
+               "tank_treading_error_per_s, tank_treading_reason, class, class_reason, note) "
+               "VALUES ((SELECT ordinal FROM main.point WHERE key = ?), "
+               "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
       .bind(r.point, r.cell, r.window_s, r.window_start_s, r.time_s, r.samples, r.step, r.d_mean_um, r.d_error_um,
-            r.d_change_um, r.d_amplitude_um, r.d_period_s, r.asphericity_mean, r.asphericity_error, r.phase,
-            r.phase_reason, r.note)
+            r.d_change_um, r.d_amplitude_um, r.d_period_s, r.asphericity_mean, r.asphericity_error,
+            r.tank_treading_per_s, r.tank_treading_error_per_s, r.tank_treading_reason, r.phase, r.phase_reason, r.note)
       .run();
 }
 
@@ -23,8 +24,8 @@ void insert_result(const Database& database, const std::string& table, const Res
 std::vector<ResultRow> Store::results(std::string_view point) const {
   Statement statement = database_.prepare(
       "SELECT p.key, r.cell, r.window_s, r.window_start_s, r.time_s, r.samples, r.step, r.d_mean_um, r.d_error_um, "
-      "r.d_change_um, r.d_amplitude_um, r.d_period_s, r.asphericity_mean, r.asphericity_error, r.class, "
-      "r.class_reason, "
+      "r.d_change_um, r.d_amplitude_um, r.d_period_s, r.asphericity_mean, r.asphericity_error, "
+      "r.tank_treading_per_s, r.tank_treading_error_per_s, r.tank_treading_reason, r.class, r.class_reason, "
       "r.note FROM result r JOIN point p ON p.ordinal = r.point WHERE p.key = ? ORDER BY r.cell");
   statement.bind(point);
   std::vector<ResultRow> results;
@@ -44,9 +45,12 @@ std::vector<ResultRow> Store::results(std::string_view point) const {
     r.d_period_s = statement.optional_real(11);
     r.asphericity_mean = statement.optional_real(12);
     r.asphericity_error = statement.optional_real(13);
-    r.phase = statement.text(14);
-    r.phase_reason = statement.text(15);
-    r.note = statement.text(16);
+    r.tank_treading_per_s = statement.optional_real(14);
+    r.tank_treading_error_per_s = statement.optional_real(15);
+    r.tank_treading_reason = statement.text(16);
+    r.phase = statement.text(17);
+    r.phase_reason = statement.text(18);
+    r.note = statement.text(19);
   }
   return results;
 }

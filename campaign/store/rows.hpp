@@ -84,6 +84,9 @@ struct SampleRow {
   std::optional<double> inside_ratio;
   std::optional<std::int64_t> flips;
   std::optional<double> mean_velocity_mm_per_s, pressure_gradient_Pa_per_m, velocity_x_mm_per_s;
+  // Older logs have none of these.
+  std::optional<double> taylor_deformation, angle_xz_deg, angle_xy_deg, extent_x_um, extent_y_um, extent_z_um;
+  std::optional<double> marker_y_dx_um, marker_y_dy_um, marker_y_dz_um, marker_z_dx_um, marker_z_dy_um, marker_z_dz_um;
   bool finite = true;
 
   friend bool operator==(const SampleRow&, const SampleRow&) = default;
@@ -119,9 +122,11 @@ struct ResultRow {
   std::optional<double> d_mean_um, d_error_um, d_change_um;
   std::optional<double> d_amplitude_um, d_period_s;
   std::optional<double> asphericity_mean, asphericity_error;
-  std::string phase;         ///< croissant, slipper or undecided
-  std::string phase_reason;  ///< by which numbers
-  std::string note;          ///< what limits the figures; empty: nothing does
+  std::optional<double> tank_treading_per_s, tank_treading_error_per_s;
+  std::string tank_treading_reason;  ///< over what it was taken, or why there is none
+  std::string phase;                 ///< croissant, slipper or undecided
+  std::string phase_reason;          ///< by which numbers
+  std::string note;                  ///< what limits the figures; empty: nothing does
 
   friend bool operator==(const ResultRow&, const ResultRow&) = default;
 };

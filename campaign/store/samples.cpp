@@ -25,7 +25,19 @@ SampleRow sample_in(const Statement& statement) {
   sample.mean_velocity_mm_per_s = statement.optional_real(14);
   sample.pressure_gradient_Pa_per_m = statement.optional_real(15);
   sample.velocity_x_mm_per_s = statement.optional_real(16);
-  sample.finite = statement.integer(17) != 0;
+  sample.taylor_deformation = statement.optional_real(17);
+  sample.angle_xz_deg = statement.optional_real(18);
+  sample.angle_xy_deg = statement.optional_real(19);
+  sample.extent_x_um = statement.optional_real(20);
+  sample.extent_y_um = statement.optional_real(21);
+  sample.extent_z_um = statement.optional_real(22);
+  sample.marker_y_dx_um = statement.optional_real(23);
+  sample.marker_y_dy_um = statement.optional_real(24);
+  sample.marker_y_dz_um = statement.optional_real(25);
+  sample.marker_z_dx_um = statement.optional_real(26);
+  sample.marker_z_dy_um = statement.optional_real(27);
+  sample.marker_z_dz_um = statement.optional_real(28);
+  sample.finite = statement.integer(29) != 0;
   return sample;
 }
 
@@ -35,7 +47,8 @@ std::vector<SampleRow> Store::samples(std::string_view point) const {
   Statement statement = database_.prepare(
       "SELECT step, cell, time_s, d_um, x_um, y_um, z_um, asphericity, volume_ratio, area_ratio, inclination_deg, "
       "inside_nodes, inside_ratio, flips, mean_velocity_mm_per_s, pressure_gradient_Pa_per_m, velocity_x_mm_per_s, "
-      "finite "
+      "taylor_deformation, angle_xz_deg, angle_xy_deg, extent_x_um, extent_y_um, extent_z_um, marker_y_dx_um, "
+      "marker_y_dy_um, marker_y_dz_um, marker_z_dx_um, marker_z_dy_um, marker_z_dz_um, finite "
       "FROM sample WHERE point = (SELECT ordinal FROM point WHERE key = ?) ORDER BY step, cell");
   statement.bind(point);
   std::vector<SampleRow> samples;
@@ -53,13 +66,17 @@ void Store::put_samples(std::string_view point, std::span<const SampleRow> sampl
   Statement insert = database_.prepare(
       "INSERT OR REPLACE INTO sample (point, step, cell, time_s, d_um, x_um, y_um, z_um, asphericity, volume_ratio, "
       "area_ratio, inclination_deg, inside_nodes, inside_ratio, flips, mean_velocity_mm_per_s, "
-      "pressure_gradient_Pa_per_m, velocity_x_mm_per_s, finite) "
-      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+      "pressure_gradient_Pa_per_m, velocity_x_mm_per_s, taylor_deformation, angle_xz_deg, angle_xy_deg, extent_x_um, "
+      "extent_y_um, extent_z_um, marker_y_dx_um, marker_y_dy_um, marker_y_dz_um, marker_z_dx_um, marker_z_dy_um, "
+      "marker_z_dz_um, finite) "
+      "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const SampleRow& s : samples)
     insert
         .bind(ordinal, s.step, s.cell, s.time_s, s.d_um, s.x_um, s.y_um, s.z_um, s.asphericity, s.volume_ratio,
               s.area_ratio, s.inclination_deg, s.inside_nodes, s.inside_ratio, s.flips, s.mean_velocity_mm_per_s,
-              s.pressure_gradient_Pa_per_m, s.velocity_x_mm_per_s, s.finite)
+              s.pressure_gradient_Pa_per_m, s.velocity_x_mm_per_s, s.taylor_deformation, s.angle_xz_deg, s.angle_xy_deg,
+              s.extent_x_um, s.extent_y_um, s.extent_z_um, s.marker_y_dx_um, s.marker_y_dy_um, s.marker_y_dz_um,
+              s.marker_z_dx_um, s.marker_z_dy_um, s.marker_z_dz_um, s.finite)
         .run();
   transaction.commit();
 }

@@ -5,6 +5,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
+
 #include "store/tables.hpp"
 #include "study/error.hpp"
 
@@ -29,7 +31,35 @@ void back_up(const Database& database, const std::filesystem::path& copy) {
   sync_to_disk(std::filesystem::absolute(copy).parent_path());
 }
 
+/// Version 2 has the shape of the cell and its markers in the samples, and the tank-treading frequency in the results.
+/// The samples are dropped: they are read anew from the run directories, which may hold the new columns already.
+const char* const from_1_to_2 = R"sql(
+ALTER TABLE sample ADD COLUMN taylor_deformation REAL CHECK (typeof(taylor_deformation) IN ('real', 'null'));
+ALTER TABLE sample ADD COLUMN angle_xz_deg REAL CHECK (typeof(angle_xz_deg) IN ('real', 'null'));
+ALTER TABLE sample ADD COLUMN angle_xy_deg REAL CHECK (typeof(angle_xy_deg) IN ('real', 'null'));
+ALTER TABLE sample ADD COLUMN extent_x_um REAL CHECK (typeof(extent_x_um) IN ('real', 'null'));
+ALTER TABLE sample ADD COLUMN extent_y_um REAL CHECK (typeof(extent_y_um) IN ('real', 'null'));
+ALTER TABLE sample ADD COLUMN extent_z_um REAL CHECK (typeof(extent_z_um) IN ('real', 'null'));
+ALTER TABLE sample ADD COLUMN marker_y_dx_um REAL CHECK (typeof(marker_y_dx_um) IN ('real', 'null'));
+ALTER TABLE sample ADD COLUMN marker_y_dy_um REAL CHECK (typeof(marker_y_dy_um) IN ('real', 'null'));
+ALTER TABLE sample ADD COLUMN marker_y_dz_um REAL CHECK (typeof(marker_y_dz_um) IN ('real', 'null'));
+ALTER TABLE sample ADD COLUMN marker_z_dx_um REAL CHECK (typeof(marker_z_dx_um) IN ('real', 'null'));
+ALTER TABLE sample ADD COLUMN marker_z_dy_um REAL CHECK (typeof(marker_z_dy_um) IN ('real', 'null'));
+ALTER TABLE sample ADD COLUMN marker_z_dz_um REAL CHECK (typeof(marker_z_dz_um) IN ('real', 'null'));
+ALTER TABLE result ADD COLUMN tank_treading_per_s REAL CHECK (typeof(tank_treading_per_s) IN ('real', 'null'));
+ALTER TABLE result ADD COLUMN tank_treading_error_per_s REAL
+  CHECK (typeof(tank_treading_error_per_s) IN ('real', 'null'));
+ALTER TABLE result ADD COLUMN tank_treading_reason TEXT NOT NULL DEFAULT '';
+DELETE FROM result;
+DELETE FROM sample;
+UPDATE point SET log_offset = 0, log_tail_hash = '';
+)sql";
+
+constexpr std::array<Migration, 1> all_migrations = {{{1, from_1_to_2}}};
+
 }  // namespace
+
+std::span<const Migration> migrations() { return all_migrations; }
 
 void create_schema(const Database& database) {
   Transaction transaction(database);
@@ -62,6 +92,7 @@ void migrate(const Database& database, std::span<const Migration> steps, int new
   back_up(database, fmt::format("{}.v{}.backup", database.file().string(), found));
 
   Transaction transaction(database);
+  database.execute(drop_view_statements);
   for (int version = version_of(); version < newest; ++version) {
     const Migration* step = nullptr;
     for (const Migration& candidate : steps)
@@ -72,6 +103,7 @@ void migrate(const Database& database, std::span<const Migration> steps, int new
     database.execute(step->sql);
     database.execute(fmt::format("PRAGMA user_version = {};", version + 1));
   }
+  database.execute(view_statements);
   transaction.commit();
 }
 

@@ -30,7 +30,7 @@ Store Store::create(const std::filesystem::path& file, const CampaignRow& campai
 Store Store::open(const std::filesystem::path& file) {
   Store store(Database(file, Access::read_write));
   check_schema(store.database_);
-  migrate(store.database_, {});
+  migrate(store.database_, migrations());
   return store;
 }
 

@@ -92,6 +92,18 @@ CREATE TABLE sample (
   pressure_gradient_Pa_per_m  REAL CHECK (typeof(pressure_gradient_Pa_per_m) IN ('real', 'null')),
   velocity_x_mm_per_s         REAL CHECK (typeof(velocity_x_mm_per_s) IN ('real', 'null')),
   finite                      INTEGER NOT NULL CHECK (finite IN (0, 1)),
+  taylor_deformation          REAL CHECK (typeof(taylor_deformation) IN ('real', 'null')),
+  angle_xz_deg                REAL CHECK (typeof(angle_xz_deg) IN ('real', 'null')),
+  angle_xy_deg                REAL CHECK (typeof(angle_xy_deg) IN ('real', 'null')),
+  extent_x_um                 REAL CHECK (typeof(extent_x_um) IN ('real', 'null')),
+  extent_y_um                 REAL CHECK (typeof(extent_y_um) IN ('real', 'null')),
+  extent_z_um                 REAL CHECK (typeof(extent_z_um) IN ('real', 'null')),
+  marker_y_dx_um              REAL CHECK (typeof(marker_y_dx_um) IN ('real', 'null')),
+  marker_y_dy_um              REAL CHECK (typeof(marker_y_dy_um) IN ('real', 'null')),
+  marker_y_dz_um              REAL CHECK (typeof(marker_y_dz_um) IN ('real', 'null')),
+  marker_z_dx_um              REAL CHECK (typeof(marker_z_dx_um) IN ('real', 'null')),
+  marker_z_dy_um              REAL CHECK (typeof(marker_z_dy_um) IN ('real', 'null')),
+  marker_z_dz_um              REAL CHECK (typeof(marker_z_dz_um) IN ('real', 'null')),
   PRIMARY KEY (point, step, cell)
 ) WITHOUT ROWID;
 
@@ -113,6 +125,9 @@ CREATE TABLE result (
   class              TEXT NOT NULL CHECK (class IN ('croissant', 'slipper', 'undecided')),
   class_reason       TEXT NOT NULL,
   note               TEXT NOT NULL,
+  tank_treading_per_s        REAL CHECK (typeof(tank_treading_per_s) IN ('real', 'null')),
+  tank_treading_error_per_s  REAL CHECK (typeof(tank_treading_error_per_s) IN ('real', 'null')),
+  tank_treading_reason       TEXT NOT NULL DEFAULT '',
   PRIMARY KEY (point, cell)
 ) WITHOUT ROWID;
 
@@ -130,6 +145,13 @@ CREATE TRIGGER event_is_never_changed BEFORE UPDATE ON event
   BEGIN SELECT raise(ABORT, 'events are append-only'); END;
 CREATE TRIGGER event_is_never_deleted BEFORE DELETE ON event
   BEGIN SELECT raise(ABORT, 'events are append-only'); END;
+)sql";
+
+const char* const drop_view_statements = R"sql(
+DROP VIEW IF EXISTS v_phase;
+DROP VIEW IF EXISTS v_samples;
+DROP VIEW IF EXISTS v_points;
+DROP VIEW IF EXISTS v_attempts;
 )sql";
 
 const char* const view_statements = R"sql(
@@ -162,6 +184,7 @@ CREATE VIEW v_points AS
 CREATE VIEW v_phase AS
   SELECT p.ordinal, p.key, p.state, p.lambda, p.mean_velocity_mm_per_s, p.replica, p.swept, r.cell, r.class,
          r.d_mean_um, r.d_error_um, r.d_amplitude_um, r.d_period_s, r.asphericity_mean, r.asphericity_error,
+         r.tank_treading_per_s, r.tank_treading_error_per_s, r.tank_treading_reason,
          r.time_s, r.step, r.window_s, r.window_start_s, r.samples, r.class_reason, r.note,
          p.wall_s, p.core_h, p.mlups, p.attempts, p.host, p.version, p.git
     FROM v_points p LEFT JOIN result r ON r.point = p.ordinal;
@@ -169,7 +192,10 @@ CREATE VIEW v_phase AS
 CREATE VIEW v_samples AS
   SELECT p.ordinal, p.key, l.value AS lambda, p.replica, s.step, s.cell, s.time_s, s.d_um, s.x_um, s.y_um, s.z_um,
          s.asphericity, s.volume_ratio, s.area_ratio, s.inclination_deg, s.inside_nodes, s.inside_ratio, s.flips,
-         s.mean_velocity_mm_per_s, s.pressure_gradient_Pa_per_m, s.velocity_x_mm_per_s, s.finite
+         s.mean_velocity_mm_per_s, s.pressure_gradient_Pa_per_m, s.velocity_x_mm_per_s,
+         s.taylor_deformation, s.angle_xz_deg, s.angle_xy_deg, s.extent_x_um, s.extent_y_um, s.extent_z_um,
+         s.marker_y_dx_um, s.marker_y_dy_um, s.marker_y_dz_um, s.marker_z_dx_um, s.marker_z_dy_um, s.marker_z_dz_um,
+         s.finite
     FROM sample s
     JOIN point p ON p.ordinal = s.point
     LEFT JOIN parameter l ON l.point = p.ordinal AND l.name = 'fluid.lambda';

@@ -8,8 +8,9 @@
 namespace rouleau {
 
 enum class Advection {
-  euler,           ///< X += U
-  adams_bashforth  ///< X += 3/2 U - 1/2 U_previous: second order
+  euler,            ///< X += U: first order
+  adams_bashforth,  ///< X += 3/2 U - 1/2 U_previous: second order
+  averaged          ///< X += 1/2 U + 1/2 U_previous: first order, blind to velocities that change sign with each step
 };
 
 /// Moves all vertices by one time step (dt = 1): on every rank, so that X and U_previous stay alike everywhere.
@@ -19,8 +20,8 @@ enum class Advection {
 /// throws Error(physics) naming vertex, cell and position if a vertex is not finite or has gone through a wall
 void advect(Cells& cells, Advection scheme, const Lattice& lattice);
 
-/// Makes the first Adams-Bashforth step of a run an Euler step: U_previous = U. Call it at step 0, after interpolating;
-/// a resumed run has its U_previous from the checkpoint.
+/// Makes the first step of a scheme with a history an Euler step: U_previous = U. Call it at step 0, after
+/// interpolating; a resumed run has its U_previous from the checkpoint.
 void start_history(Cells& cells);
 
 }  // namespace rouleau

@@ -16,6 +16,7 @@
 
 #include <cmath>
 
+#include "base/simd.hpp"
 #include "membrane/metric.hpp"
 #include "membrane/v3.hpp"
 
@@ -72,8 +73,8 @@ struct BendingGradient {
 /// corner facing it, dP_e the difference of P along it, sigma_e the sum of S over its ends,
 ///   q_e = dP_e . d_e - sigma_e |d_e|^2.
 /// With h = q_w - q_u - q_v for the third edge w = v - u, it is T = (q_u g22 + q_v g11 + h g12) / D.
-inline BendingGradient bending_gradient(const Metric& g, V3 u, V3 v, const VertexCurvature& a, const VertexCurvature& b,
-                                        const VertexCurvature& c) {
+ROW_INLINE inline BendingGradient bending_gradient(const Metric& g, V3 u, V3 v, const VertexCurvature& a,
+                                                   const VertexCurvature& b, const VertexCurvature& c) {
   const Cotangents cot = cotangents(g);
   const V3 dP_u = b.P - a.P, dP_v = c.P - a.P;
   const double sigma_u = a.S + b.S, sigma_v = a.S + c.S, sigma_w = b.S + c.S;

@@ -36,11 +36,16 @@ struct VertexTriangles {
   Array<std::int32_t> begin, triangle, corner;
 };
 
-/// Moduli in lattice units (1, [Krueger] convention: W = kappa_S / 12 (I1^2 + 2 I1 - 2 I2) + kappa_A / 12 I2^2).
+/// How a membrane resists strain in its plane (skalak.hpp, neo_hookean.hpp).
+enum class InPlaneLaw { skalak, neo_hookean };
+
+/// Moduli in lattice units, in the [Krueger] convention: Skalak's W = kappa_S / 12 (I1^2 + 2 I1 - 2 I2)
+/// + kappa_A / 12 I2^2. Of both laws G_s = kappa_S / 3.
 struct Moduli {
   double kappa_S = 0;
-  double kappa_A = 0;  ///< C kappa_S
+  double kappa_A = 0;  ///< C kappa_S; the neo-Hookean law has none
   double kappa_B = 0;  ///< Helfrich E = 2 kappa_B int H^2 dS
+  InPlaneLaw law = InPlaneLaw::skalak;
 };
 
 /// All cells, arrays concatenated cell after cell.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The elastic forces of all membranes: Skalak in the plane, Helfrich out of it.
+// The elastic forces of all membranes: Skalak or neo-Hookean in the plane, Helfrich out of it.
 #include "membrane/membrane_forces.hpp"
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "membrane/bending.hpp"
+#include "membrane/neo_hookean.hpp"
 #include "membrane/ordered_sum.hpp"
 #include "membrane/skalak.hpp"
 #include "membrane/v3.hpp"
@@ -22,6 +23,33 @@ constexpr int block_size = PackedRows::size;
 static_assert(block_size == WorkBlocks::size);
 
 constexpr std::size_t padded(std::size_t n) { return (n + block_size - 1) / block_size * block_size; }
+
+/// The laws in the plane, each with its moduli.
+struct Skalak {
+  double kappa_S, kappa_A;
+  [[nodiscard]] double energy(const Metric& g, const ReferenceMetric& G) const {
+    return skalak_energy(g, G, kappa_S, kappa_A);
+  }
+  [[nodiscard]] MetricGradient gradient(const Metric& g, const ReferenceMetric& G) const {
+    return skalak_gradient(g, G, kappa_S, kappa_A);
+  }
+};
+struct NeoHookean {
+  double kappa_S;
+  [[nodiscard]] double energy(const Metric& g, const ReferenceMetric& G) const {
+    return neo_hookean_energy(g, G, kappa_S);
+  }
+  [[nodiscard]] MetricGradient gradient(const Metric& g, const ReferenceMetric& G) const {
+    return neo_hookean_gradient(g, G, kappa_S);
+  }
+};
+
+/// Calls `use` with the law of these moduli: once for a whole membrane, never for a triangle.
+template <class Use>
+auto with_law(const Moduli& moduli, Use&& use) {
+  if (moduli.law == InPlaneLaw::neo_hookean) return use(NeoHookean{moduli.kappa_S});
+  return use(Skalak{moduli.kappa_S, moduli.kappa_A});
+}
 
 /// The corners of a block of triangles.
 struct BlockCorners {
@@ -112,7 +140,9 @@ void MembraneForces::compute(Cells& cells, const Moduli& moduli, std::span<const
   for (const std::int32_t block : work_.curvature_triangles()) add_curvatures(block);
   for (const std::int32_t block : work_.curvature_vertices()) divide_by_areas(block, moduli.kappa_B);
   std::fill(F_.begin(), F_.end(), Packed{});
-  for (const std::int32_t block : work_.force_triangles()) add_forces(block, moduli);
+  with_law(moduli, [&](const auto& law) {
+    for (const std::int32_t block : work_.force_triangles()) add_forces(block, law);
+  });
   for (const std::int32_t block : work_.force_vertices()) unpack_forces(cells, block);
 }
 
@@ -153,7 +183,8 @@ void MembraneForces::divide_by_areas(std::int32_t vertex_block, double kappa_B) 
 }
 
 /// Adds the forces of a block of triangles to those of their corners.
-void MembraneForces::add_forces(std::int32_t triangle_block, const Moduli& moduli) {
+template <class Law>
+void MembraneForces::add_forces(std::int32_t triangle_block, const Law& law_of_all) {
   const BlockCorners corners(corner_, triangle_block);
   PackedRows u, v, at_a, at_b, at_c;
   gather_edges(X_.data(), corners, u, v);
@@ -164,7 +195,7 @@ void MembraneForces::add_forces(std::int32_t triangle_block, const Moduli& modul
   const double *G11 = reference_.G11.data() + first, *G12 = reference_.G12.data() + first;
   const double *G22 = reference_.G22.data() + first, *inverse_det = reference_.inverse_det.data() + first;
   const double* area = reference_.area.data() + first;
-  const double kappa_S = moduli.kappa_S, kappa_A = moduli.kappa_A;
+  const Law law = law_of_all;  // a copy, which no store of the loop can change
   BLOCK_LOOP
   for (int t = 0; t < block_size; ++t) {
     const V3 u_t = vector(u, t), v_t = vector(v, t);
@@ -172,8 +203,7 @@ void MembraneForces::add_forces(std::int32_t triangle_block, const Moduli& modul
     const ReferenceMetric reference{{G11[t], G12[t], G22[t]}, inverse_det[t], area[t]};
     const BendingGradient bending = bending_gradient(g, u_t, v_t, {vector(at_a, t), at_a.w[t]},
                                                      {vector(at_b, t), at_b.w[t]}, {vector(at_c, t), at_c.w[t]});
-    const CornerForces in_plane =
-        metric_forces(skalak_gradient(g, reference, kappa_S, kappa_A) + bending.by_metric, u_t, v_t);
+    const CornerForces in_plane = metric_forces(law.gradient(g, reference) + bending.by_metric, u_t, v_t);
     const V3 F_b = in_plane.b - bending.by_u, F_c = in_plane.c - bending.by_v;
     set(at_a, t, -(F_b + F_c), 0);
     set(at_b, t, F_b, 0);
@@ -198,20 +228,24 @@ MembraneEnergy MembraneForces::energy(const Cells& cells, const Moduli& moduli) 
   std::fill(curvature_.begin(), curvature_.end(), Packed{});
   const auto blocks = static_cast<std::int32_t>(corner_[0].size()) / block_size;
   for (std::int32_t block = 0; block < blocks; ++block) add_curvatures(block);
-  const ConstV3s X(cells.X);
-  const auto &a = corner_[0], &b = corner_[1], &c = corner_[2];
   MembraneEnergy energy;
-  energy.skalak = ordered_sum(0, triangles_, [&](std::ptrdiff_t t) {
-    const ReferenceMetric reference{
-        {reference_.G11[t], reference_.G12[t], reference_.G22[t]}, reference_.inverse_det[t], reference_.area[t]};
-    const Metric g = metric(X[b[t]] - X[a[t]], X[c[t]] - X[a[t]]);
-    return skalak_energy(g, reference, moduli.kappa_S, moduli.kappa_A);
-  });
+  energy.in_plane = with_law(moduli, [&](const auto& law) { return in_plane_energy(cells, law); });
   energy.bending = ordered_sum(0, static_cast<std::ptrdiff_t>(cells.vertices()), [&](std::ptrdiff_t v) {
     const Packed L_A = curvature_[static_cast<std::size_t>(v)];
     return bending_energy({L_A[0], L_A[1], L_A[2]}, L_A[3], moduli.kappa_B);
   });
   return energy;
+}
+
+template <class Law>
+double MembraneForces::in_plane_energy(const Cells& cells, const Law& law) const {
+  const ConstV3s X(cells.X);
+  const auto &a = corner_[0], &b = corner_[1], &c = corner_[2];
+  return ordered_sum(0, triangles_, [&](std::ptrdiff_t t) {
+    const ReferenceMetric reference{
+        {reference_.G11[t], reference_.G12[t], reference_.G22[t]}, reference_.inverse_det[t], reference_.area[t]};
+    return law.energy(metric(X[b[t]] - X[a[t]], X[c[t]] - X[a[t]]), reference);
+  });
 }
 
 }  // namespace rouleau

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The elastic forces of all membranes: Skalak in the plane, Helfrich out of it.
+// The elastic forces of all membranes: Skalak or neo-Hookean in the plane, Helfrich out of it.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace rouleau {
 
 /// Energies in lattice units, of all cells together.
 struct MembraneEnergy {
-  double skalak = 0;
+  double in_plane = 0;
   double bending = 0;
 };
 
@@ -24,7 +24,8 @@ class MembraneForces {
   /// throws  Error (bad_input) if a reference triangle has no area
   explicit MembraneForces(const Cells& cells);
 
-  /// Membrane forces on the fluid, minus the gradient of `energy`.   [Lehmann2020] Eqs. 7-13
+  /// Membrane forces on the fluid, minus the gradient of `energy`, by the law that `moduli` names.   [Lehmann2020]
+  /// Eqs. 7-13
   /// reads   cells.X of all vertices
   /// sets    cells.F[v] wherever needed[v] is not 0 (empty mask: everywhere); other F are unspecified
   /// The bits of F[v] do not depend on the mask. No allocation.
@@ -41,7 +42,10 @@ class MembraneForces {
   void pack_positions(const Cells& cells);
   void add_curvatures(std::int32_t triangle_block);
   void divide_by_areas(std::int32_t vertex_block, double kappa_B);
-  void add_forces(std::int32_t triangle_block, const Moduli& moduli);
+  template <class Law>
+  void add_forces(std::int32_t triangle_block, const Law& law);
+  template <class Law>
+  double in_plane_energy(const Cells& cells, const Law& law) const;
   void unpack_forces(Cells& cells, std::int32_t vertex_block) const;
 
   WorkBlocks work_;

@@ -89,7 +89,9 @@ std::vector<std::string> check_mesh_feasibility(const RunFile& run, const Lattic
   const RunParameters& p = run.parameters;
   const Shape shape = p.cells.at(cell).shape;
   const bool is_loaded = shape == Shape::mesh || shape == Shape::checkpoint;
-  const std::string name = parameter_of(cell, is_loaded ? "mesh_file" : "subdivisions");
+  const bool is_by_frequency = !is_loaded && run.value(parameter_of(cell, "frequency")).given;
+  const std::string name =
+      parameter_of(cell, is_loaded ? "mesh_file" : (is_by_frequency ? "frequency" : "subdivisions"));
   const std::string said = fmt::format("{}: {} = {} ", run.where(name), name, run.value(name).value);
   std::vector<std::string> warnings;
   if (is_loaded) {
@@ -112,7 +114,8 @@ std::vector<std::string> check_mesh_feasibility(const RunFile& run, const Lattic
                                    mesh.edge_mean < finest_mean ? "Coarsen the mesh" : "Refine the mesh"));
   // Found in trial runs: such a mesh carries local-area modes that the trilinear velocity cannot satisfy.
   constexpr double most_area_ratio = 10;
-  if (p.numerics.kernel == KernelWidth::two_point && p.membrane.area_ratio > most_area_ratio && mesh.edge_mean < 1)
+  if (p.numerics.kernel == KernelWidth::two_point &&
+      lattice.moduli.kappa_A > most_area_ratio * lattice.moduli.kappa_S && mesh.edge_mean < 1)
     warnings.push_back(fmt::format(
         "{}: numerics.kernel = 2-point with membrane.area_ratio = {} and a mean edge of {:.3g} node spacings "
         "lost the membrane in trial runs. Use kernel = 4-point, area_ratio <= {}, or a coarser mesh",

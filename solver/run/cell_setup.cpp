@@ -7,6 +7,7 @@
 #include "membrane/check_surface.hpp"
 #include "membrane/edges.hpp"
 #include "membrane/shapes.hpp"
+#include "membrane/stretch.hpp"
 #include "membrane/surface_file.hpp"
 #include "membrane/transform.hpp"
 #include "storage/inspect.hpp"
@@ -30,6 +31,14 @@ Vec3 centre_of_volume(const Surface& surface) {
   return moment / six_volumes;
 }
 
+/// Where the checkpoint has its cell across the channel.   returns um from the axis, (0, y, z)
+Vec3 saved_place_um(const CellParameters& cell, FileSystem& files) {
+  const SavedCell saved = read_cell(files, cell.mesh_file, cell.mesh_cell);
+  const Vec3 centre = centre_of_volume(saved.surface);
+  return saved.node_spacing_um *
+         Vec3(0, centre.y() - 0.5 * (saved.lattice[1] - 1), centre.z() - 0.5 * (saved.lattice[2] - 1));
+}
+
 /// A surface in um from a file, or one cell of a checkpoint with the stress-free shape it had there.
 CellStart read_start(const CellParameters& cell, FileSystem& files) {
   if (cell.shape == Shape::mesh) {
@@ -49,11 +58,11 @@ CellStart read_start(const CellParameters& cell, FileSystem& files) {
 CellStart make_start(const CellParameters& cell, const CellPlacement& placement, FileSystem& files) {
   switch (cell.shape) {
     case Shape::red_blood_cell:
-      return {red_blood_cell(cell.subdivisions, placement.radius), std::nullopt};
+      return {red_blood_cell(Division::of_frequency(cell.frequency), placement.radius), std::nullopt};
     case Shape::sphere:
-      return {sphere(cell.subdivisions, placement.radius), std::nullopt};
+      return {sphere(Division::of_frequency(cell.frequency), placement.radius), std::nullopt};
     case Shape::ellipsoid:
-      return {ellipsoid(cell.subdivisions, placement.semi_axes), std::nullopt};
+      return {ellipsoid(Division::of_frequency(cell.frequency), placement.semi_axes), std::nullopt};
     case Shape::mesh:
     case Shape::checkpoint:
       break;
@@ -85,6 +94,12 @@ MeshFacts facts_of(const Surface& surface) {
     facts.upper = facts.upper.cwiseMax(at(surface.X, v));
   }
   return facts;
+}
+
+std::array<std::size_t, 2> pulled_vertices(const Surface& shape, const StretchForce& stretch) {
+  const auto vertices = static_cast<std::int32_t>(shape.X.size());
+  const auto [low, high] = end_vertices(shape.X, 0, vertices, *stretch.axis, stretch.share);
+  return {low.size(), high.size()};
 }
 
 Body body_of(const CellParameters& cell, const CellPlacement& placement) {
@@ -122,8 +137,11 @@ CellSetup set_up_cells(const RunFile& run, const LatticeParameters& lattice, Fil
     if (cells[n].reference == Reference::file) use_reference_file(cells[n], placement.from_um, start);
     rotate(start.shape, placement.rotation_axis, placement.rotation_angle);
     translate(start.shape, placement.centre);
+    if (cells[n].offset_from == OffsetFrom::checkpoint)
+      translate(start.shape, saved_place_um(cells[n], files) * placement.from_um / cells[n].scale);
 
-    const MeshFacts facts = facts_of(start.shape);
+    MeshFacts facts = facts_of(start.shape);
+    if (lattice.stretch.axis) facts.pulled = pulled_vertices(start.shape, lattice.stretch);
     for (auto& warning : check_mesh_feasibility(run, lattice, n, facts)) setup.warnings.push_back(std::move(warning));
     setup.meshes.push_back(facts);
     setup.starts.push_back(std::move(start));
@@ -131,6 +149,8 @@ CellSetup set_up_cells(const RunFile& run, const LatticeParameters& lattice, Fil
     if (has_equation(cells[n])) setup.bodies.push_back(body_of(cells[n], placement));
   }
   if (!all_have_equations) setup.bodies.clear();
+  const Cells assembled = assemble(setup.starts);
+  for (std::size_t n = 0; n < cells.size(); ++n) setup.markers.push_back(choose_markers(assembled, n));
   return setup;
 }
 

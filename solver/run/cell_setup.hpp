@@ -6,6 +6,7 @@
 
 #include "interior/analytic.hpp"
 #include "membrane/assemble.hpp"
+#include "membrane/markers.hpp"
 #include "run/feasibility.hpp"
 #include "storage/file_system.hpp"
 
@@ -15,6 +16,7 @@ namespace rouleau {
 struct CellSetup {
   std::vector<CellStart> starts;  ///< lattice units, placed
   std::vector<MeshFacts> meshes;  ///< one a cell
+  std::vector<Markers> markers;   ///< one a cell, vertex indices of all cells together
   std::vector<Body> bodies;       ///< one a cell if all have an equation; else empty, and flags come from ray casting
   std::vector<std::string> warnings;
 

@@ -40,6 +40,7 @@ Kernel kernel_of(const Setup& setup) {
 }
 
 std::optional<Tracking> tracking_of(const Setup& setup) {
+  if (setup.run.parameters.cells.empty()) return std::nullopt;
   switch (setup.run.parameters.numerics.tracking) {
     case TrackingChoice::vertex_normals:
       return Tracking::vertex_normals;

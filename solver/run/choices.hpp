@@ -14,7 +14,7 @@ namespace rouleau {
 
 Collision collision_of(const Setup& setup);
 Kernel kernel_of(const Setup& setup);
-/// None: tracking is off.
+/// None: tracking is off, or there is no cell.
 std::optional<Tracking> tracking_of(const Setup& setup);
 /// None: the force is fixed.
 std::optional<MeanVelocityController> controller_of(const Setup& setup);

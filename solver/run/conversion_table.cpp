@@ -34,16 +34,32 @@ std::string flow_lines(const RunParameters& p, const LatticeParameters& lattice,
   return text;
 }
 
+std::string stretch_lines(const LatticeParameters& lattice, const Units& units, const std::vector<MeshFacts>& meshes) {
+  const StretchForce& stretch = lattice.stretch;
+  std::string text = quantity(fmt::format("force on each end along {}", "xyz"[*stretch.axis]),
+                              units.force_pN(stretch.force), "pN", stretch.force);
+  for (std::size_t c = 0; c < meshes.size(); ++c)
+    for (const auto& [end, vertices] : {std::pair("low", meshes[c].pulled[0]), std::pair("high", meshes[c].pulled[1])})
+      text += quantity(fmt::format("  cell {}, {} end: {} vertices, each", c, end, vertices),
+                       units.force_pN(stretch.force) / static_cast<double>(vertices), "pN",
+                       stretch.force / static_cast<double>(vertices));
+  return text;
+}
+
 std::string membrane_lines(const LatticeParameters& lattice, const Units& units, const DimensionlessNumbers& n) {
   const Moduli& m = lattice.moduli;
   std::string text;
   text += quantity("shear modulus kappa_S", units.tension_uN_per_m(m.kappa_S), "uN/m", m.kappa_S);
   text += quantity("  the same as G_s = kappa_S / 3", units.tension_uN_per_m(m.kappa_S / 3), "uN/m", m.kappa_S / 3);
-  text += quantity("area modulus kappa_A = C kappa_S", units.tension_uN_per_m(m.kappa_A), "uN/m", m.kappa_A);
+  if (m.law == InPlaneLaw::skalak)
+    text += quantity("area modulus kappa_A = C kappa_S", units.tension_uN_per_m(m.kappa_A), "uN/m", m.kappa_A);
+  else
+    text += quantity("neo-Hookean; area modulus 3 G_s", units.tension_uN_per_m(m.kappa_S), "uN/m", m.kappa_S);
   text += quantity("bending modulus kappa_B", units.energy_joule(m.kappa_B), "J", m.kappa_B);
   text += number("capillary number mu u_max / kappa_S", n.capillary_flow);
   text += number("capillary number mu gamma R / G_s", n.capillary_shear);
-  text += number("kappa_A dt / (mu dx)", n.area_number, fmt::format("limit {}", n.area_limit));
+  if (m.law == InPlaneLaw::skalak)
+    text += number("kappa_A dt / (mu dx)", n.area_number, fmt::format("limit {}", n.area_limit));
   text += number("kappa_B dt / (mu dx^3)", n.bending_number, fmt::format("limit {}", n.bending_limit));
   return text;
 }
@@ -84,6 +100,7 @@ std::string conversion_table(const RunFile& run, const LatticeParameters& lattic
                              units.length_um(m.edge_max)),
                  fmt::format("{:.3g} ({:.3g}, {:.3g})", m.edge_mean, m.edge_min, m.edge_max));
   }
+  if (lattice.stretch.axis) text += stretch_lines(lattice, units, meshes);
   text += line("end time", fmt::format("{:.6g} s", p.time.end_time_s), fmt::format("{} steps", lattice.steps));
   return text;
 }

@@ -27,12 +27,14 @@ CoupledSimulation<Real>::CoupledSimulation(const Setup& setup, const Communicato
       forces_(cells_),
       mesh_health_(cells_),
       volume_shift_(cells_),
+      mesh_mobility_(cells_, setup.run.parameters.numerics.mesh_mobility, setup.lattice.nu_out + setup.lattice.nu_in),
       correction_(setup.lattice.lattice, decomposition.block()),
       controller_(controller_of(setup)),
       population_halo_(comm, decomposition, fluid_.f.layout, 1, 5),
       velocity_halo_(comm, decomposition, fluid_.u[0].layout, velocity_halo, 3),
       flag_halo_(comm, decomposition, flags_.layout, 1, 1),
       vertex_exchange_(comm, cells_.vertices()) {
+  if (const StretchForce& pull = setup.lattice.stretch; pull.axis) stretch_.emplace(cells_, *pull.axis, pull.share);
   if (const auto variant = tracking_of(setup)) tracker_.emplace(*variant, fluid_.lattice, fluid_.block, cells_);
   walls_.u = fluid_.wall_velocity = wall_velocities_of(setup);
   for (int axis = 0; axis < 3; ++axis)
@@ -67,7 +69,8 @@ template <class Real>
 void CoupledSimulation<Real>::compute_membrane_forces() {
   find_stencils(cells_, stencils_);
   timers_.lap(Part::stencils);
-  forces_.compute(cells_, setup_.lattice.moduli, stencils_.spreads_here);
+  forces_.compute(cells_, setup_.lattice.moduli, mesh_mobility_.needs(stencils_));
+  if (stretch_) stretch_->add(cells_.F, setup_.lattice.stretch.in_step_after(counters_.steps_done));
   timers_.lap(Part::forces);
 }
 
@@ -128,6 +131,7 @@ void CoupledSimulation<Real>::close_velocity_rows(const std::array<Rows<Real>, 3
 template <class Real>
 void CoupledSimulation<Real>::interpolate_velocity() {
   interpolate(fluid_.u, walls_, stencils_, cells_.U);
+  mesh_mobility_.add(cells_, stencils_.owned);
   timers_.lap(Part::interpolate);
   vertex_exchange_.share(stencils_.owned, cells_.U);
   timers_.lap(Part::halos);
@@ -136,7 +140,7 @@ void CoupledSimulation<Real>::interpolate_velocity() {
 template <class Real>
 void CoupledSimulation<Real>::advect_vertices() {
   const Advection scheme = setup_.run.parameters.numerics.advection;
-  if (counters_.steps_done == 0 && scheme == Advection::adams_bashforth) start_history(cells_);
+  if (counters_.steps_done == 0 && scheme != Advection::euler) start_history(cells_);
   advect(cells_, scheme, fluid_.lattice);
   timers_.lap(Part::advect);
 }

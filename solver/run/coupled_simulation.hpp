@@ -6,6 +6,7 @@
 
 #include "coupling/advect.hpp"
 #include "coupling/interpolate.hpp"
+#include "coupling/mesh_mobility.hpp"
 #include "coupling/reach.hpp"
 #include "coupling/stencils.hpp"
 #include "fluid/collide.hpp"
@@ -14,6 +15,7 @@
 #include "interior/tracker.hpp"
 #include "membrane/membrane_forces.hpp"
 #include "membrane/mesh_health.hpp"
+#include "membrane/stretch.hpp"
 #include "membrane/volume.hpp"
 #include "parallel/halo.hpp"
 #include "parallel/vertex_exchange.hpp"
@@ -75,8 +77,10 @@ class CoupledSimulation final : public Simulation {
   Stencils stencils_;
   WallVelocities walls_;
   MembraneForces forces_;
+  std::optional<Stretch> stretch_;  ///< none: nothing pulls at the cells
   MeshHealth mesh_health_;
   VolumeShift volume_shift_;
+  MeshMobility mesh_mobility_;
   std::optional<Tracker> tracker_;  ///< none: tracking is off
   Correction correction_;
   std::optional<MeanVelocityController> controller_;  ///< none: the force is fixed

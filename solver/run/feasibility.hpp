@@ -2,6 +2,7 @@
 // What cannot work is refused before the first step, what is doubtful is warned about; both name the remedy.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace rouleau {
 struct MeshFacts {
   double edge_min = 0, edge_mean = 0, edge_max = 0;
   Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();  ///< bounding box, node coordinates
+  std::array<std::size_t, 2> pulled{};              ///< vertices at the low and high end that [stretch] pulls
 };
 
 /// Checks all that needs no mesh. Returns the warnings.

@@ -79,6 +79,16 @@ void set_flow(LatticeParameters& result, const FlowParameters& flow, const Units
   }
 }
 
+StretchForce stretch_of(const StretchParameters& stretch, const Units& units) {
+  StretchForce result;
+  if (stretch.axis == StretchAxis::none) return result;
+  result.axis = static_cast<std::size_t>(stretch.axis) - static_cast<std::size_t>(StretchAxis::x);
+  result.force = units.force(stretch.force_pN);
+  result.share = stretch.share;
+  result.ramp_steps = stretch.ramp_ms * 1e3 / units.dt_us();
+  return result;
+}
+
 // A number in [-1, 1) that depends on its arguments alone: SplitMix64 [Steele2014].
 double displacement(std::int64_t replica, std::size_t cell, int axis) {
   std::uint64_t z =
@@ -161,6 +171,11 @@ CellPlacement placement_of(const RunFile& run, std::size_t index, const Lattice&
 
 }  // namespace
 
+double StretchForce::in_step_after(std::int64_t steps_done) const {
+  const double s = static_cast<double>(steps_done) / ramp_steps;
+  return s < 1 ? force * (s * s * (3 - 2 * s)) : force;  // without a ramp s is not finite
+}
+
 LatticeParameters lattice_parameters(const RunFile& run, const Units& units) {
   const RunParameters& p = run.parameters;
   LatticeParameters result;
@@ -173,8 +188,10 @@ LatticeParameters lattice_parameters(const RunFile& run, const Units& units) {
   if (!p.cells.empty()) {
     const double kappa_S = to_kappa_S(p.membrane.shear_modulus_convention, p.membrane.shear_modulus_uN_per_m);
     result.moduli.kappa_S = units.tension(kappa_S);
-    result.moduli.kappa_A = p.membrane.area_ratio * result.moduli.kappa_S;
+    result.moduli.law = p.membrane.law;
+    if (p.membrane.law == InPlaneLaw::skalak) result.moduli.kappa_A = p.membrane.area_ratio * result.moduli.kappa_S;
     result.moduli.kappa_B = units.energy(p.membrane.bending_modulus_J);
+    result.stretch = stretch_of(p.stretch, units);
   }
   for (std::size_t c = 0; c < p.cells.size(); ++c) result.cells.push_back(placement_of(run, c, result.lattice, units));
   const double steps = p.time.end_time_s / (p.numerics.time_step_us * 1e-6);

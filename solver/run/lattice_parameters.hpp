@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/grid.hpp"
@@ -24,6 +25,17 @@ struct CellPlacement {
       Vec3::Zero();  ///< of the bounding box; zero for meshes and checkpoints, whose size is not known yet
 };
 
+/// What [stretch] asks for.
+struct StretchForce {
+  std::optional<std::size_t> axis;  ///< none: nothing is pulled
+  double force = 0;                 ///< on each end of a cell, once it is whole
+  double share = 0;                 ///< of the vertices, at each end
+  double ramp_steps = 0;
+
+  /// The force in the step that follows `steps_done`: it rises as s^2 (3 - 2 s) with s = steps_done / ramp_steps.
+  [[nodiscard]] double in_step_after(std::int64_t steps_done) const;
+};
+
 struct LatticeParameters {
   Lattice lattice;
   double nu_out = 0, nu_in = 0;
@@ -36,6 +48,7 @@ struct LatticeParameters {
   double max_velocity = 0;      ///< to be expected in the empty channel
   double max_to_mean = 1;       ///< of the developed profile; 1 without one
   Moduli moduli;                ///< zero without a cell
+  StretchForce stretch;
   std::vector<CellPlacement> cells;
   std::int64_t steps = 0;  ///< to the end time
 };

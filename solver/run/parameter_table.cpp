@@ -95,6 +95,8 @@ constexpr Store cell = in_cell<member>;
 template <auto member>
 constexpr Store membrane = in<&R::membrane, member>;
 template <auto member>
+constexpr Store stretch = in<&R::stretch, member>;
+template <auto member>
 constexpr Store numerics = in<&R::numerics, member>;
 template <auto member>
 constexpr Store output = in<&R::output, member>;
@@ -169,12 +171,19 @@ Rows cell_rows() {
           .example("4 4 1.3"),
       integer("cell", "subdivisions", "4", 2, 5, cell<&P::subdivisions>,
               "of the icosahedron: 20 4^n triangles; the mean edge should be 0.4 to 1.2 node spacings")
+          .when("shape", generated),
+      integer("cell", "frequency", required, 4, 32, cell<&P::frequency>,
+              "of the icosahedron, instead of subdivisions: 20 n^2 triangles; default: 2^subdivisions")
           .when("shape", generated)
-          .example("3"),
+          .example("8"),
       file("cell", "mesh_file", cell<&P::mesh_file>, "relative to the run file's folder")
           .when("shape", {"mesh", "checkpoint"})
           .example("cell.off"),
       integer("cell", "mesh_cell", "0", 0, 1e6, cell<&P::mesh_cell>, "which cell of the checkpoint")
+          .when("shape", {"checkpoint"}),
+      choice(
+          "cell", "offset_from", "axis", {"axis", "checkpoint"}, cell<&P::offset_from>,
+          "the two offsets count from the channel axis, or from where the checkpoint has the cell across the channel")
           .when("shape", {"checkpoint"}),
       real("cell", "scale", "1", 1e-9, 1e9, cell<&P::scale>, "factor on the shape's size").with_cells(),
       real("cell", "offset_y_um", "0", -1e5, 1e5, cell<&P::offset_y_um>, "of the centre from the channel axis")
@@ -209,19 +218,46 @@ Rows cell_rows() {
 Rows membrane_rows() {
   using P = MembraneParameters;
   return {
+      choice("membrane", "law", "skalak", {"skalak", "neo_hookean"}, membrane<&P::law>,
+             "how the membrane resists strain in its plane; neo_hookean: G_s/2 (l1^2 + l2^2 + 1/(l1 l2)^2 - 3)")
+          .with_cells(),
       real("membrane", "shear_modulus_uN_per_m", "5", 1e-6, 1e6, membrane<&P::shear_modulus_uN_per_m>,
-           "Skalak's shear modulus in the convention below")
+           "shear modulus in the convention below")
           .with_cells(),
       choice("membrane", "shear_modulus_convention", "kappa_S", {"kappa_S", "G_s", "B"},
              membrane<&P::shear_modulus_convention>,
-             "prefactor of the energy: kappa_S/12, G_s/4, or the paper's B/4; kappa_S = 3 G_s = 1.5 B")
+             "prefactor of Skalak's energy: kappa_S/12, G_s/4, or the paper's B/4; kappa_S = 3 G_s = 1.5 B")
           .with_cells(),
       real("membrane", "area_ratio", "100", 0, 1e5, membrane<&P::area_ratio>,
            "C = kappa_A / kappa_S, the same number in all three conventions")
-          .with_cells(),
+          .with_cells()
+          .when("law", {"skalak"}),
       real("membrane", "bending_modulus_J", "3e-19", 0, 1e-12, membrane<&P::bending_modulus_J>,
            "kappa_B of E = 2 kappa_B int H^2 dS")
           .with_cells(),
+  };
+}
+
+Rows stretch_rows() {
+  using P = StretchParameters;
+  const Choices axes{"x", "y", "z"};
+  return {
+      choice("stretch", "axis", "none", {"none", "x", "y", "z"}, stretch<&P::axis>,
+             "pulls the two ends of each cell apart along this axis, as optical tweezers do; none: no such forces")
+          .with_cells(),
+      real("stretch", "force_pN", required, 0, 1e6, stretch<&P::force_pN>,
+           "total force on each end, shared equally by its vertices")
+          .with_cells()
+          .when("axis", axes)
+          .example("50"),
+      real("stretch", "share", "0.05", 1e-4, 0.5, stretch<&P::share>,
+           "of the cell's vertices at each end: those that lie farthest out along the axis at the start")
+          .with_cells()
+          .when("axis", axes),
+      real("stretch", "ramp_ms", "0", 0, 1e6, stretch<&P::ramp_ms>,
+           "time in which the force rises, smoothly; 0: at once")
+          .with_cells()
+          .when("axis", axes),
   };
 }
 
@@ -256,8 +292,12 @@ Rows numerics_rows() {
       choice("numerics", "kernel", "4-point", {"2-point", "3-point", "4-point"}, numerics<&P::kernel>,
              "of spreading and interpolation; 2-point: the paper's, unstable at large area_ratio")
           .with_cells(),
-      choice("numerics", "advection", "euler", {"euler", "adams_bashforth"}, numerics<&P::advection>,
-             "of the vertices; first or second order in time")
+      real("numerics", "mesh_mobility", "0.1", 0, 0.3, numerics<&P::mesh_mobility>,
+           "share of the vertices' answer to the mesh's shortest waves that the kernel hides and that they get back; "
+           "0: the "
+           "paper's way, in which triangles collapse and fold sooner or later"),
+      choice("numerics", "advection", "euler", {"euler", "adams_bashforth", "averaged"}, numerics<&P::advection>,
+             "of the vertices; averaged: by the mean velocity of two steps, which the 2- and 3-point kernels need")
           .with_cells(),
       choice("numerics", "tracking", "vertex_normals", {"vertex_normals", "vertex_normals_wide", "face_normals", "off"},
              numerics<&P::tracking>, "inside/outside update: r_shell = 1, r_shell = 2, by faces; off needs lambda = 1")
@@ -296,7 +336,7 @@ Rows free_rows() {
 
 std::vector<ParameterSpec> make_table() {
   std::vector<ParameterSpec> table;
-  for (auto* rows : {fluid_rows, channel_rows, flow_rows, cell_rows, membrane_rows, numerics_rows})
+  for (auto* rows : {fluid_rows, channel_rows, flow_rows, cell_rows, membrane_rows, stretch_rows, numerics_rows})
     for (Row& r : rows()) table.push_back(std::move(r.p));
   for (Row& r : free_rows()) table.push_back(std::move(std::move(r).may_change().p));
   return table;

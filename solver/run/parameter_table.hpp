@@ -35,7 +35,7 @@ struct ParameterSpec {
   std::string_view name;
   ParameterType type;
   std::string_view
-      default_text;  ///< as a user would write it; empty: required where it applies (but see position_x_um)
+      default_text;  ///< as a user would write it; empty: required where it applies (but see position_x_um, frequency)
   double min, max;   ///< closed range of numbers and of each component
   ParameterKind kind;
   std::vector<std::string_view> choices;

@@ -8,6 +8,7 @@
 
 #include "base/vec3.hpp"
 #include "coupling/advect.hpp"
+#include "membrane/cells.hpp"
 #include "membrane/moduli_conventions.hpp"
 
 namespace rouleau {
@@ -17,7 +18,9 @@ enum class Boundary { wall, periodic };
 enum class Driving { mean_velocity, pressure_gradient, shear, rest };
 enum class InitialFlow { rest, developed, uniform };
 enum class Shape { red_blood_cell, sphere, ellipsoid, mesh, checkpoint, none };
+enum class OffsetFrom { axis, checkpoint };
 enum class Reference { initial, file };
+enum class StretchAxis { none, x, y, z };
 enum class Precision { single_, double_ };
 enum class CollisionLaw { trt, mrt };
 enum class KernelWidth { two_point, three_point, four_point };
@@ -48,8 +51,10 @@ struct CellParameters {
   double radius_um = 0;
   Vec3 semi_axes_um = Vec3::Zero();
   int subdivisions = 0;
+  int frequency = 0;                ///< of the divided icosahedron: as given, or 2^subdivisions
   std::filesystem::path mesh_file;  ///< resolved against the run file's folder; empty unless shape = mesh | checkpoint
   int mesh_cell = 0;
+  OffsetFrom offset_from{};
   double scale = 0;
   double offset_y_um = 0, offset_z_um = 0;  ///< of the centre from the channel axis
   double position_x_um = 0;                 ///< of the centre from the periodic seam
@@ -62,10 +67,19 @@ struct CellParameters {
 };
 
 struct MembraneParameters {
+  InPlaneLaw law{};
   double shear_modulus_uN_per_m = 0;  ///< in shear_modulus_convention
   ShearConvention shear_modulus_convention{};
-  double area_ratio = 0;  ///< C = kappa_A / kappa_S
+  double area_ratio = 0;  ///< C = kappa_A / kappa_S; means nothing to the neo-Hookean law
   double bending_modulus_J = 0;
+};
+
+/// Opposite forces on the two ends of each cell, as of optical tweezers.
+struct StretchParameters {
+  StretchAxis axis{};
+  double force_pN = 0;  ///< on each end; 0 unless there is an axis, like those below
+  double share = 0;     ///< of the vertices, at each end
+  double ramp_ms = 0;   ///< until the force is whole
 };
 
 struct NumericsParameters {
@@ -79,6 +93,7 @@ struct NumericsParameters {
   KernelWidth kernel{};
   Advection advection{};
   TrackingChoice tracking{};
+  double mesh_mobility = 0;              ///< share of the response hidden by the kernel
   std::int64_t correction_interval = 0;  ///< steps; 0 = never
 };
 
@@ -105,6 +120,7 @@ struct RunParameters {
   FlowParameters flow;
   std::vector<CellParameters> cells;  ///< empty when [cell] shape = none
   MembraneParameters membrane;
+  StretchParameters stretch;
   NumericsParameters numerics;
   TimeParameters time;
   OutputParameters output;

@@ -196,12 +196,21 @@ class Reader {
     }
     if (slot.cell > 0 && name == "shape" && slot.canonical_value == "none")
       fail(Exit::bad_input, "{}: shape = none in [{}]; remove the section", at(slot.entry->line), slot.section);
-    const bool needed = slot.default_text.empty() && name != "position_x_um";  // whose default is not a constant
+    const bool needed = slot.default_text.empty() && !has_computed_default(name);
     if (!slot.applies || slot.entry || !needed) return;
     fail(Exit::bad_input, "{}: {} is missing in [{}]{}; add for example `{} = {}`", at(line_for_missing(slot, because)),
          name, slot.section,
          because ? fmt::format(", {} = {} needs it", because->parameter->name, because->canonical_value) : "", name,
          slot.parameter->example.empty() ? slot.parameter->default_text : slot.parameter->example);
+  }
+
+  static bool has_computed_default(std::string_view name) { return name == "position_x_um" || name == "frequency"; }
+
+  void refuse_both(const Slot& slot, const Slot& other) const {
+    if (slot.entry && other.entry)
+      fail(Exit::bad_input, "{}: {} = {} and {} = {} (line {}) say the same thing twice; remove one",
+           at(slot.entry->line), slot.parameter->name, slot.entry->value, other.parameter->name, other.entry->value,
+           other.entry->line);
   }
 
   [[nodiscard]] int line_for_missing(const Slot& slot, const Slot* because) const {
@@ -225,6 +234,16 @@ class Reader {
         v.default_value = canonical(half);
         if (!slot.entry) {
           run.parameters.cells[slot.cell].position_x_um = half;
+          v.value = v.identity_value = v.default_value;
+        }
+      }
+      if (slot.parameter->name == "frequency" && slot.applies) {
+        const Slot& subdivisions = slot_of(slot.section, "subdivisions");
+        refuse_both(slot, subdivisions);
+        const int frequency = 1 << subdivisions.typed.integer;
+        v.default_value = std::to_string(frequency);
+        if (!slot.entry) {
+          run.parameters.cells[slot.cell].frequency = frequency;
           v.value = v.identity_value = v.default_value;
         }
       }

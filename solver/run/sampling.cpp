@@ -2,9 +2,27 @@
 #include "run/sampling.hpp"
 
 #include "membrane/measures.hpp"
+#include "membrane/solid_moments.hpp"
 #include "membrane/volume.hpp"
 
 namespace rouleau {
+
+namespace {
+
+void append_shape(SampleRow& row, const Eigen::Matrix3d& moments, const Vec3& extent, const Units& units) {
+  const PlaneEllipse in_xz = ellipse_in_plane(moments, 2), in_xy = ellipse_in_plane(moments, 1);
+  row.insert(row.end(), {in_xz.deformation(), in_xz.angle_deg, in_xy.angle_deg, units.length_um(extent[0]),
+                         units.length_um(extent[1]), units.length_um(extent[2])});
+}
+
+void append_markers(SampleRow& row, const Cells& cells, const Markers& markers, const Vec3& centre,
+                    const Units& units) {
+  for (const std::int32_t v : {markers.y, markers.z})
+    for (int axis = 0; axis < 3; ++axis)
+      row.emplace_back(units.length_um(at(cells.X, static_cast<std::size_t>(v))[axis] - centre[axis]));
+}
+
+}  // namespace
 
 std::vector<std::string> sample_columns() {
   return {"step",
@@ -23,7 +41,19 @@ std::vector<std::string> sample_columns() {
           "flips",
           "mean_velocity_mm_per_s",
           "pressure_gradient_Pa_per_m",
-          "velocity_x_mm_per_s"};
+          "velocity_x_mm_per_s",
+          "taylor_deformation",
+          "angle_xz_deg",
+          "angle_xy_deg",
+          "extent_x_um",
+          "extent_y_um",
+          "extent_z_um",
+          "marker_y_dx_um",
+          "marker_y_dy_um",
+          "marker_y_dz_um",
+          "marker_z_dx_um",
+          "marker_z_dy_um",
+          "marker_z_dz_um"};
 }
 
 Sample take_sample(const Simulation& simulation, const Setup& setup) {
@@ -51,14 +81,18 @@ Sample take_sample(const Simulation& simulation, const Setup& setup) {
                            units.length_um(dy), units.length_um(dz), m.asphericity, m.volume_ratio, m.area_ratio,
                            m.inclination_deg, inside, static_cast<double>(inside) / total_volume, simulation.flips(),
                            mean_velocity, gradient, units.speed_mm_per_s(m.velocity[0])});
+    append_shape(sample.rows.back(), solid_moments(cells, c), m.extents, units);
+    append_markers(sample.rows.back(), cells, setup.cells.markers[c], m.centre_of_mass, units);
     if (c == 0) {
       sample.d_um = d_um;
       sample.asphericity = m.asphericity;
     }
   }
-  if (sample.rows.empty())
+  if (sample.rows.empty()) {
     sample.rows.push_back({step, units.time_s(step), std::int64_t{0}, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, inside,
                            0.0, simulation.flips(), mean_velocity, gradient, 0.0});
+    sample.rows.back().resize(sample_columns().size(), 0.0);
+  }
   return sample;
 }
 

@@ -30,6 +30,7 @@ class Units {
   [[nodiscard]] double speed(double mm_per_s) const { return mm_per_s * 1e-3 / speed_m_per_s_; }
   [[nodiscard]] double rate(double per_s) const { return per_s * dt_s_; }
   [[nodiscard]] double tension(double uN_per_m) const { return uN_per_m * 1e-6 / tension_N_per_m_; }
+  [[nodiscard]] double force(double pN) const { return pN * 1e-12 / (tension_N_per_m_ * dx_m_); }
   [[nodiscard]] double energy(double joule) const { return joule / energy_J_; }
   [[nodiscard]] double force_density(double Pa_per_m) const { return Pa_per_m / force_density_; }
   /// Steps after which the run has reached this time: the next whole number, or the nearest within 1e-6.
@@ -43,6 +44,7 @@ class Units {
   [[nodiscard]] double speed_mm_per_s(double speed) const { return speed * speed_m_per_s_ * 1e3; }
   [[nodiscard]] double rate_per_s(double rate) const { return rate / dt_s_; }
   [[nodiscard]] double tension_uN_per_m(double tension) const { return tension * tension_N_per_m_ * 1e6; }
+  [[nodiscard]] double force_pN(double force) const { return force * tension_N_per_m_ * dx_m_ * 1e12; }
   [[nodiscard]] double energy_joule(double energy) const { return energy * energy_J_; }
   [[nodiscard]] double pressure_gradient_Pa_per_m(double force_density) const { return force_density * force_density_; }
   [[nodiscard]] double time_s(std::int64_t step) const { return static_cast<double>(step) * dt_us_ * 1e-6; }

@@ -178,6 +178,7 @@ SavedCell read_cell(FileSystem& files, const fs::path& path, int cell) {
 
   SavedCell saved;
   saved.node_spacing_um = file.metadata().node_spacing_um;
+  saved.lattice = file.manifest().lattice;
   saved.surface.X.resize(end - begin);
   saved.X_reference.resize(end - begin);
   for (std::size_t v = begin; v < end; ++v) {

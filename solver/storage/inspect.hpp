@@ -65,6 +65,7 @@ struct SavedCell {
   Surface surface;          ///< vertices in lattice units of the file; triangle indices start at 0
   VectorArray X_reference;  ///< stress-free shape, lattice units of the file
   double node_spacing_um = 0;
+  Int3 lattice{};  ///< nodes of the file's channel
 };
 
 /// Reads items "cells/X" f64 [3][V], "cells/X_reference" f64 [3][V], "cells/triangles" i32 [3][T] and

@@ -46,6 +46,23 @@ void append_number(std::string& line, const SampleValue& value) {
   line.append(text, result.ptr);
 }
 
+/// Indices of the log's columns among `known`, in the order of its header; empty if that is incomplete, does not begin
+/// with the first of them, lacks `cell`, or names one that is not known.
+std::vector<std::size_t> columns_in(std::string_view content, const std::vector<std::string>& known) {
+  const std::size_t end = content.find('\n');
+  if (end == std::string_view::npos) return {};
+  const std::vector<std::string_view> names = split(content.substr(0, end));
+  if (names.front() != known.front() || names.back() != "check" || std::count(names.begin(), names.end(), "cell") != 1)
+    return {};
+  std::vector<std::size_t> columns;
+  for (auto name = names.begin(); name + 1 != names.end(); ++name) {
+    const auto found = std::find(known.begin(), known.end(), *name);
+    if (found == known.end()) return {};
+    columns.push_back(static_cast<std::size_t>(found - known.begin()));
+  }
+  return columns;
+}
+
 bool sound_line(std::string_view line, std::size_t fields) {
   if (line.size() < check_digits + 1 || line[line.size() - check_digits - 1] != ',') return false;
   const std::string_view content = line.substr(0, line.size() - check_digits - 1);
@@ -102,7 +119,7 @@ std::optional<std::string> SampleLog::obstacle(const SampleLogPosition& position
     return fmt::format("the first {} bytes of {} are not those that the checkpoint had counted", position.bytes,
                        path_.string());
   }
-  if (!std::string_view(content).substr(0, position.bytes).starts_with(header_line(columns_))) {
+  if (columns_in(std::string_view(content).substr(0, position.bytes), columns_).empty()) {
     return fmt::format("{} has other columns than this solver writes", path_.string());
   }
   return {};
@@ -122,6 +139,7 @@ void SampleLog::open(std::uint64_t length) {
   open_->file.truncate(length);
   open_->file.sync();
   open_->count(content);
+  written_ = columns_in(content, columns_);
   const std::size_t last = content.rfind('\n', content.size() - 2);
   if (last == std::string::npos) return;
   const std::vector<std::string_view> fields = split(std::string_view(content).substr(last + 1));
@@ -130,13 +148,15 @@ void SampleLog::open(std::uint64_t length) {
     const auto result = std::from_chars(field.data(), field.data() + field.size(), value);
     if (result.ec != std::errc{}) fail(Exit::bad_input, "{}: its last line has no step and cell", path_.string());
   };
+  const auto cell = std::find(written_.begin(), written_.end(), cell_column_);
   number(0, open_->step);
-  number(cell_column_, open_->cell);
+  number(static_cast<std::size_t>(cell - written_.begin()), open_->cell);
 }
 
 void SampleLog::append(std::span<const SampleRow> rows) {
   require(open_ != nullptr, "SampleLog: append before start or cut_back");
   std::string batch;
+  SampleRow line(written_.size());
   std::int64_t step = open_->step;
   std::int64_t cell = open_->cell;
   for (const SampleRow& row : rows) {
@@ -154,7 +174,8 @@ void SampleLog::append(std::span<const SampleRow> rows) {
            "step {}: sample `{}` of cell {} is not finite ({}); it was not written. Try a smaller time step.", step,
            columns_[column], cell, *number);
     }
-    batch += format_sample(row);
+    for (std::size_t i = 0; i < written_.size(); ++i) line[i] = row[written_[i]];
+    batch += format_sample(line);
   }
   fence_();
   const std::uint64_t found = file_size(*files_, path_);

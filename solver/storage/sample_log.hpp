@@ -41,17 +41,18 @@ class SampleLog {
   /// A log that holds only its header, replacing any that is there: the start of a run at step 0.
   void start();
 
-  /// Why a run cannot go on from `position`: the file is missing, shorter, differs before it, or has other columns. A
-  /// checkpoint with an obstacle must be rejected for an older one: its samples could not be continued exactly.
+  /// Why a run cannot go on from `position`: the file is missing, shorter, differs before it, or has columns that are
+  /// not among ours. A checkpoint with an obstacle must be rejected for an older one: its samples could not be
+  /// continued exactly.
   [[nodiscard]] std::optional<std::string> obstacle(const SampleLogPosition& position) const;
 
-  /// Cuts the log back to what the checkpoint had counted, and opens it there. Throws Error(bad_input) if there is an
-  /// obstacle.
+  /// Cuts the log back to what the checkpoint had counted, and opens it there. A log that an older version began goes
+  /// on with the columns it has. Throws Error(bad_input) if there is an obstacle.
   void cut_back(const SampleLogPosition& position);
 
-  /// Adds rows in one write(), after the fence. (step, cell) must increase.
-  /// throws  Error(superseded) by the fence; Error(physics) for a value that is not finite; Error(io) if the file is
-  /// not as long
+  /// Adds rows in one write(), after the fence: a value for each of the columns given at construction. (step, cell)
+  /// must increase. throws  Error(superseded) by the fence; Error(physics) for a value that is not finite; Error(io) if
+  /// the file is not as long
   ///         as this log left it (another writer)
   void append(std::span<const SampleRow> rows);
 
@@ -64,7 +65,8 @@ class SampleLog {
   FileSystem* files_;
   std::filesystem::path path_;
   std::vector<std::string> columns_;
-  std::size_t cell_column_ = 0;
+  std::vector<std::size_t> written_;  ///< which of the columns the file has, in its order
+  std::size_t cell_column_ = 0;       ///< among all columns
   std::function<void()> fence_;
   std::unique_ptr<Open> open_;
 };

@@ -69,6 +69,22 @@ TEST_F(NewStart, KeepsTheDeformedShapeOnAFinerLattice) {
   EXPECT_NEAR(first_sample(next, "inside_ratio"), 1, 0.02);
 }
 
+TEST_F(NewStart, KeepsItsPlaceAcrossTheChannelIfAsked) {
+  Changes changes = from_checkpoint(source_);
+  changes["cell.subdivisions"] = changes["cell.offset_y_um"] = changes["cell.offset_z_um"] = "";
+  changes["cell.rotation_angle_deg"] = "0";
+  changes["cell.offset_from"] = "checkpoint";
+  changes["numerics.node_spacing_um"] = "1/2";
+  changes["numerics.time_step_us"] = "0.75";
+  changes["channel.length_x_um"] = "20";
+  changes["cell.position_x_um"] = "10";
+  SmallRun next(changes);
+  next.finish(2);
+  for (const char* column : {"y_um", "z_um", "d_um"})
+    EXPECT_NEAR(first_sample(next, column), last_sample(source_, column), 1e-6) << column;
+  EXPECT_GT(last_sample(source_, "d_um"), 0.1) << "the cell is on the axis: the test proves nothing";
+}
+
 TEST_F(NewStart, DamagedSourceIsRefused) {
   const auto file = source_.path("checkpoints/000000002000.h5");
   std::string bytes = content_of(file);

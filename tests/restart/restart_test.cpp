@@ -41,7 +41,7 @@ TEST_P(Restart, EqualsAnUninterruptedRunOnAnyNumberOfRanks) {
 INSTANTIATE_TEST_SUITE_P(Numerics, Restart,
                          ::testing::Combine(::testing::Values("single", "double"), ::testing::Values("trt", "mrt"),
                                             ::testing::Values("2-point", "3-point", "4-point"),
-                                            ::testing::Values("euler", "adams_bashforth")));
+                                            ::testing::Values("euler", "adams_bashforth", "averaged")));
 
 TEST(Ranks, OneToSixGiveTheSameBits) {
   const SmallRun one;
@@ -80,6 +80,26 @@ TEST(Restart, TwoCellsResumeOnOtherRanks) {
   parts.finish(1);
   EXPECT_EQ(parts.fingerprint(), whole.fingerprint());
   EXPECT_EQ(parts.newest_checkpoint().at("cells").size(), 2u);
+}
+
+TEST(Restart, PulledNeoHookeanCellResumesOnOtherRanks) {
+  // 25 steps end in the middle of the ramp, 50 behind it.
+  const Changes pulled{
+      {"membrane.law", "neo_hookean"}, {"stretch.axis", "y"}, {"stretch.force_pN", "20"}, {"stretch.ramp_ms", "0.05"}};
+  SmallRun whole(pulled);
+  whole.set_steps(2 * n);
+  whole.finish();
+  SmallRun parts(pulled);
+  parts.set_steps(n);
+  parts.finish(3);
+  parts.set_steps(2 * n);
+  parts.finish(2);
+  EXPECT_EQ(parts.fingerprint(), whole.fingerprint());
+
+  SmallRun free(Changes{{"membrane.law", "neo_hookean"}});
+  free.set_steps(2 * n);
+  free.finish();
+  EXPECT_NE(free.samples(), whole.samples());
 }
 
 TEST(Restart, ChangedIdentityParameterIsRefusedByName) {

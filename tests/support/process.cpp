@@ -57,7 +57,9 @@ Finished run_program(const std::vector<std::string>& words, std::optional<Interr
   while (waitpid(child, &status, WNOHANG) == 0) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     if (interruption && !interruption->file.empty()) {
-      if (!std::filesystem::exists(interruption->file)) continue;
+      std::error_code missing;
+      const std::uintmax_t bytes = std::filesystem::file_size(interruption->file, missing);
+      if (missing || bytes < interruption->bytes) continue;
       interruption->file.clear();
       begun = std::chrono::steady_clock::now();
     }

@@ -16,11 +16,12 @@ struct Finished {
   std::string out, err;
 };
 
-/// A signal to send once, so long after the start, or after the program has made a file.
+/// A signal to send once, so long after the start, or after a file has so many bytes.
 struct Interruption {
   double after_s = 0;
   int signal = SIGKILL;
   std::filesystem::path file{};  ///< none: counted from the start
+  std::uintmax_t bytes = 0;      ///< that the file must have
 };
 
 /// Runs `words` (the program first) in a process group of its own, standard input empty, and waits for its end. On

@@ -2,8 +2,7 @@
 // Flow between sliding walls, of one fluid and of two.
 #include <gtest/gtest.h>
 
-#include "fluid/initial.hpp"
-#include "support/one_block.hpp"
+#include "analytic_flows.hpp"
 
 namespace rouleau {
 namespace {
@@ -29,23 +28,9 @@ TEST(Couette, IsExactBetweenWallsThatSlideOppositely) {
   }
 }
 
-/// Two equal layers, the lower one thick (inside flag), its wall at rest, the upper wall sliding with U.
 template <class Real>
 double two_layer_error(const Collision& collision, int N) {
-  const Lattice lattice{{3, 2, N}, {true, true, false}};
-  testing::OneBlock<Real> block(lattice, collision);
-  block.fluid.wall_velocity[2][1] = Vec3(U, 0, 0);
-  for (int k = 0; k < N / 2; ++k)
-    for (int j = 0; j < 2; ++j)
-      for (int i = 0; i < 3; ++i) block.inside(i, j, k) = 1;
-  block.run(60 * N * N);
-  double largest = 0;
-  for (int k = 0; k < N; ++k) {
-    const double z = (k + 0.5) / N;  // stress is continuous: slopes 1 : lambda
-    const double u_i = U / (1 + lambda), exact = z < 0.5 ? u_i * 2 * z : u_i + (U - u_i) * (2 * z - 1);
-    largest = std::max(largest, std::abs(block.u(0, 1, 1, k) - exact) / U);
-  }
-  return largest;
+  return testing::two_layer_couette_error<Real>(collision, {lambda, nu_out, N});
 }
 
 TEST(Couette, InterfaceOfTwoViscositiesIsExact) {

@@ -2,41 +2,16 @@
 // Force-driven flow through a rectangular channel of aspect ratio 6 : 5, the paper's.
 #include <gtest/gtest.h>
 
-#include "fluid/developed.hpp"
-#include "fluid/initial.hpp"
-#include "support/one_block.hpp"
+#include "analytic_flows.hpp"
 
 namespace rouleau {
 namespace {
 
-struct DuctError {
-  double l2 = 0;       ///< relative to the exact field at the nodes
-  double mean = 0;     ///< mean over the nodes against the true mean of the cross-section
-  double largest = 0;  ///< velocity of the fastest node against the exact one there
-};
+using testing::DuctError;
 
 template <class Real>
 DuctError duct_error(int ny, int nz, double nu, int steps) {
-  const Lattice lattice{{1, ny, nz}, {true, false, false}};
-  testing::OneBlock<Real> block(lattice, testing::one_trt(nu));
-  const DevelopedFlow flow(lattice);
-  const double target = 7e-4, scale = target / flow.mean();
-  block.body_force = Vec3(scale * nu, 0, 0);
-  set_developed(block.fluid, target, block.body_force);
-  block.run(steps);
-  DuctError error;
-  double difference = 0, square = 0, sum = 0;
-  for (int k = 0; k < nz; ++k)
-    for (int j = 0; j < ny; ++j) {
-      const double exact = scale * flow.velocity(j - (ny - 1) / 2.0, k - (nz - 1) / 2.0), u = block.u(0, 0, j, k);
-      difference += (u - exact) * (u - exact);
-      square += exact * exact;
-      sum += u;
-    }
-  error.l2 = std::sqrt(difference / square);
-  error.mean = sum / (ny * nz) / target - 1;
-  error.largest = block.u(0, 0, ny / 2, nz / 2) / (scale * flow.velocity(0.5, 0.5)) - 1;
-  return error;
+  return testing::duct_error<Real>(testing::one_trt(nu), nu, ny, nz, steps);
 }
 
 // nu = 1 settles six times as fast as nu = 1/6: slowest decay time 54 steps at 36 x 30.

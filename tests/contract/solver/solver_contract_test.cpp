@@ -61,9 +61,31 @@ TEST(Section4, EverySampleLineCarriesItsCheck) {
   std::getline(lines, line);
   EXPECT_EQ(line.rfind("step,time_s,cell,d_um,", 0), 0u);
   EXPECT_EQ(line.substr(line.rfind(',')), ",check");
-  for (const char* column :
-       {"x_um", "y_um", "z_um", "asphericity", "volume_ratio", "area_ratio", "inclination_deg", "inside_nodes",
-        "inside_ratio", "flips", "mean_velocity_mm_per_s", "pressure_gradient_Pa_per_m", "velocity_x_mm_per_s"})
+  for (const char* column : {"x_um",
+                             "y_um",
+                             "z_um",
+                             "asphericity",
+                             "volume_ratio",
+                             "area_ratio",
+                             "inclination_deg",
+                             "inside_nodes",
+                             "inside_ratio",
+                             "flips",
+                             "mean_velocity_mm_per_s",
+                             "pressure_gradient_Pa_per_m",
+                             "velocity_x_mm_per_s",
+                             "taylor_deformation",
+                             "angle_xz_deg",
+                             "angle_xy_deg",
+                             "extent_x_um",
+                             "extent_y_um",
+                             "extent_z_um",
+                             "marker_y_dx_um",
+                             "marker_y_dy_um",
+                             "marker_y_dz_um",
+                             "marker_z_dx_um",
+                             "marker_z_dy_um",
+                             "marker_z_dz_um"})
     EXPECT_NE(line.find(std::string(",") + column + ","), std::string::npos) << column;
   int rows = 0;
   while (std::getline(lines, line)) {
@@ -72,6 +94,24 @@ TEST(Section4, EverySampleLineCarriesItsCheck) {
     ++rows;
   }
   EXPECT_EQ(rows, 5) << "steps 0, 10, 20, 30, 40";
+}
+
+TEST(Section4, RunWithoutACellHasALineASample) {
+  const TemporaryDirectory place;
+  set_content(place.path() / "run.ini",
+              "[channel]\nlength_x_um = 4\nlength_y_um = 4\nlength_z_um = 4\n[cell]\nshape = none\n"
+              "[flow]\nmean_velocity_mm_per_s = 0.5\n[numerics]\nnode_spacing_um = 0.5\ntime_step_us = 1\n"
+              "[time]\nend_time_s = 1e-5\n[output]\nsample_interval_steps = 5\n");
+  const Finished finished = run_program({ROULEAU_SOLVER, (place.path() / "run.ini").string()});
+  ASSERT_EQ(finished.code, 0) << finished.err;
+  std::istringstream lines(content_of(place.path() / "samples.csv"));
+  std::string line;
+  std::getline(lines, line);
+  for (const std::string step : {"0,", "5,", "10,"}) {
+    ASSERT_TRUE(std::getline(lines, line));
+    EXPECT_TRUE(line.starts_with(step)) << line;
+  }
+  EXPECT_FALSE(std::getline(lines, line)) << line;
 }
 
 TEST(Sections5To7, RecordsHoldTheirFields) {

@@ -24,7 +24,9 @@ namespace {
 constexpr const char* header =
     "step,time_s,cell,d_um,x_um,y_um,z_um,asphericity,volume_ratio,area_ratio,inclination_deg,inside_nodes,inside_"
     "ratio,"
-    "flips,mean_velocity_mm_per_s,pressure_gradient_Pa_per_m,velocity_x_mm_per_s,check\n";
+    "flips,mean_velocity_mm_per_s,pressure_gradient_Pa_per_m,velocity_x_mm_per_s,taylor_deformation,angle_xz_deg,"
+    "angle_xy_deg,extent_x_um,extent_y_um,extent_z_um,marker_y_dx_um,marker_y_dy_um,marker_y_dz_um,marker_z_dx_um,"
+    "marker_z_dy_um,marker_z_dz_um,check\n";
 
 int newest_attempt() {
   int newest = 0;
@@ -110,8 +112,10 @@ std::string sample_line(const RunFile& run, long long step) {
   const double t = static_cast<double>(step) * run.number("numerics.time_step_us") * 1e-6;
   const double lambda = run.number("fluid.lambda");
   const double d = lambda > 4.75 ? 1.0 + 0.1 * std::sin(60 * t) : 0.5 * std::exp(-30 * t);
-  const std::string line = fmt::format("{},{},0,{},{},{},0,0.15,1,1.01,10,500,1.0,0,1.5,100,{}", step, t, d, 1500 * t,
-                                       d, 1.5 + 0.01 * lambda);
+  const double turned = 60 * t;  // the marker of z goes around once in 0.1 s
+  const std::string line =
+      fmt::format("{},{},0,{},{},{},0,0.15,1,1.01,10,500,1.0,0,1.5,100,{},0.2,15,0,8,8,4,0,4,0,{},0,{}", step, t, d,
+                  1500 * t, d, 1.5 + 0.01 * lambda, 3 * std::sin(turned), 3 * std::cos(turned));
   return line + "," + hash_of(line) + "\n";
 }
 

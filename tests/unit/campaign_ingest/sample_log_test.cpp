@@ -44,6 +44,31 @@ TEST_F(SampleLogTest, AllColumnsAreRead) {
   EXPECT_THAT(part.warnings, IsEmpty());
 }
 
+TEST_F(SampleLogTest, ShapeAndMarkersAreReadWhereTheyAreAndUnsetWhereNot) {
+  const std::string line = "7,0.001,0,0.3,0.1,0.25,31.5,-2,8,7.5,4,0.1,4,0.2,-1,0.3,1.5";
+  set_content(file_,
+              "step,time_s,cell,d_um,asphericity,taylor_deformation,angle_xz_deg,angle_xy_deg,extent_x_um,extent_y_um,"
+              "extent_z_um,marker_y_dx_um,marker_y_dy_um,marker_y_dz_um,marker_z_dx_um,marker_z_dy_um,marker_z_dz_um,"
+              "check\n" +
+                  line + "," + digest_of(line) + "\n");
+  const LogPart part = read();
+  ASSERT_EQ(part.rows.size(), 1U);
+  const SampleRow& row = part.rows[0];
+  EXPECT_EQ(row.taylor_deformation, 0.25);
+  EXPECT_EQ(row.angle_xz_deg, 31.5);
+  EXPECT_EQ(row.angle_xy_deg, -2);
+  EXPECT_EQ(row.extent_x_um, 8);
+  EXPECT_EQ(row.extent_z_um, 4);
+  EXPECT_EQ(row.marker_y_dy_um, 4);
+  EXPECT_EQ(row.marker_z_dx_um, -1);
+  EXPECT_EQ(row.marker_z_dz_um, 1.5);
+  EXPECT_TRUE(row.finite);
+
+  set_content(file_, log_header + log_line(100, "0.81"));  // of an older solver
+  EXPECT_EQ(read().rows.at(0).marker_z_dx_um, std::nullopt);
+  EXPECT_TRUE(read().rows.at(0).finite);
+}
+
 TEST_F(SampleLogTest, PartsTogetherAreTheWhole) {
   set_content(file_, log_header + log_lines(0, 1000));
   const LogPart first = read();

@@ -68,6 +68,46 @@ TEST_F(SchemaTest, FailingMigrationChangesNothing) {
   EXPECT_EQ(database.select_integer("SELECT count(*) FROM sqlite_schema WHERE name = 'extra'"), 0);
 }
 
+/// The tables of version 1, whose samples have no shape and no markers.
+void make_version_1(const std::filesystem::path& file) {
+  const Database database(file, Access::read_write);
+  database.execute("DROP VIEW v_phase; DROP VIEW v_samples;");
+  for (const char* column :
+       {"taylor_deformation", "angle_xz_deg", "angle_xy_deg", "extent_x_um", "extent_y_um", "extent_z_um",
+        "marker_y_dx_um", "marker_y_dy_um", "marker_y_dz_um", "marker_z_dx_um", "marker_z_dy_um", "marker_z_dz_um"})
+    database.execute(fmt::format("ALTER TABLE sample DROP COLUMN {};", column));
+  for (const char* column : {"tank_treading_per_s", "tank_treading_error_per_s", "tank_treading_reason"})
+    database.execute(fmt::format("ALTER TABLE result DROP COLUMN {};", column));
+  database.execute(
+      "CREATE VIEW v_phase AS SELECT * FROM result; CREATE VIEW v_samples AS SELECT * FROM sample;"
+      "PRAGMA user_version = 1;");
+}
+
+std::vector<std::string> columns_of(const Database& database, const char* table) {
+  return database.select(fmt::format("SELECT * FROM {}", table)).columns;
+}
+
+TEST_F(SchemaTest, VersionOneBecomesWhatANewFileIsAndReadsItsSamplesAnew) {
+  const PointRow point = testing::a_point(1);
+  {
+    Store store = Store::open(file_);
+    store.add_point(point, testing::its_parameters(point), "added");
+    store.put_samples(point.key, std::vector<SampleRow>{testing::a_sample(0, 0.5)});
+    store.set_sample_mark(point.key, {120, "abc"});
+  }
+  make_version_1(file_);
+  EXPECT_THAT(error_of([&] { Store::open_reader(file_); }), HasSubstr("rouleau sync"));
+
+  const Store migrated = Store::open(file_);
+  const std::filesystem::path fresh_file = directory_.path() / "fresh.db";
+  const Store fresh = Store::create(fresh_file, testing::a_campaign());
+  for (const char* table : {"sample", "result", "v_points", "v_phase", "v_samples", "v_attempts"})
+    EXPECT_EQ(columns_of(migrated.database(), table), columns_of(fresh.database(), table)) << table;
+  EXPECT_EQ(migrated.point(point.key), point);
+  EXPECT_TRUE(migrated.samples(point.key).empty());
+  EXPECT_EQ(migrated.sample_mark(point.key), SampleMark());
+}
+
 TEST_F(SchemaTest, MissingMigrationStepIsNamed) {
   const Database database(file_, Access::read_write);
   EXPECT_THAT(error_of([&] { migrate(database, {}, schema_version + 1); }), HasSubstr("cannot be brought to"));

@@ -73,6 +73,20 @@ TEST(Advect, AdamsBashforthIsOfSecondOrder) {
       0.1);
 }
 
+TEST(Advect, AveragedIsOfFirstOrder) {
+  EXPECT_NEAR(error_after_a_turn(Advection::averaged, 800) / error_after_a_turn(Advection::averaged, 1600), 2.0, 0.1);
+}
+
+TEST(Advect, AveragedDoesNotSeeAVelocityThatAlternates) {
+  Cells cells = points({{1, 2, 3}});
+  for (int step = 0; step < 8; ++step) {
+    set(cells.U, 0, step % 2 == 0 ? Vec3(0.25, -0.5, 0.125) : Vec3(-0.25, 0.5, -0.125));
+    if (step == 0) set(cells.U_previous, 0, -at(cells.U, 0));
+    advect(cells, Advection::averaged, channel);
+    EXPECT_EQ(at(cells.X, 0), Vec3(1, 2, 3));
+  }
+}
+
 TEST(Advect, NamesTheVertexThatGoesThroughAWall) {
   Cells cells = points({{1, 2, 3}, {4, 5, 0.25}});
   set(cells.U, 1, {0, 0, -1});

@@ -1,5 +1,5 @@
 # Compiles membrane_forces.cpp with the compiler's vectorisation report; fails unless every BLOCK_LOOP was vectorised
-# at the full width of this machine's registers.
+# at the full width of this machine's registers; a loop that takes a Law as often as there are laws in the plane.
 set(flags -std=c++20 -O3 -DNDEBUG -march=native -mprefer-vector-width=512 -ffp-contract=off -fno-math-errno
   -fno-trapping-math -fopenmp-simd)
 execute_process(COMMAND ${COMPILER} ${flags} -dM -E -x c++ /dev/null OUTPUT_VARIABLE macros)
@@ -19,14 +19,22 @@ endif()
 file(STRINGS ${SOURCE} lines)
 set(number 0)
 set(loops 0)
+set(wanted_times 1)
 foreach(line IN LISTS lines)
   math(EXPR number "${number} + 1")
-  if(line MATCHES "^ +BLOCK_LOOP")
+  if(line MATCHES "^}")
+    set(wanted_times 1)
+  elseif(line MATCHES "^template <class Law>")
+    set(wanted_times 2)
+  elseif(line MATCHES "^ +BLOCK_LOOP")
     math(EXPR loops "${loops} + 1")
     math(EXPR loop_line "${number} + 1")
     set(wanted "membrane_forces.cpp:${loop_line}:[0-9]+: optimized: loop vectorized using ${width} byte vectors")
-    if(NOT report MATCHES "${wanted}")
-      message(FATAL_ERROR "the loop at line ${loop_line} is not vectorised with ${width} bytes:\n${report}")
+    string(REGEX MATCHALL "${wanted}" found "${report}")
+    list(LENGTH found times)
+    if(times LESS wanted_times)
+      message(FATAL_ERROR
+        "the loop at line ${loop_line} is vectorised with ${width} bytes ${times} times of ${wanted_times}:\n${report}")
     endif()
   endif()
 endforeach()

@@ -97,6 +97,32 @@ TEST(LatticeParameters, TakeTheModulusInThreeConventions) {
   EXPECT_NEAR(in("4", "B").kappa_A, 100 * kappa_S, 1e-13 * kappa_S);  // C is the same number in all three
 }
 
+TEST(LatticeParameters, LeaveTheNeoHookeanMembraneWithoutAnAreaModulus) {
+  const Moduli moduli = Read(RunText{.membrane = "law = neo_hookean\nshear_modulus_uN_per_m = 6"}).lattice.moduli;
+  EXPECT_EQ(moduli.law, InPlaneLaw::neo_hookean);
+  EXPECT_EQ(moduli.kappa_A, 0);
+  EXPECT_EQ(moduli.kappa_S, Read(RunText{.membrane = "shear_modulus_uN_per_m = 6"}).lattice.moduli.kappa_S);
+}
+
+TEST(LatticeParameters, RaiseTheStretchingForceSmoothly) {
+  EXPECT_FALSE(Read(RunText{}).lattice.stretch.axis);
+  const auto stretch = [](const std::string& ramp) {
+    return Read(RunText{.more = "[stretch]\naxis = y\nforce_pN = 100\n" + ramp}).lattice.stretch;
+  };
+  const Units units(Read(RunText{}).run.parameters);
+  const StretchForce ramped = stretch("ramp_ms = 1.54321");  // 10000 steps
+  EXPECT_EQ(ramped.axis, 1u);
+  EXPECT_DOUBLE_EQ(units.force_pN(ramped.force), 100);
+  // kappa_S = 5 uN/m over one spacing of 1/3 um is 5/3 pN.
+  const double kappa_S = Read(RunText{.membrane = "shear_modulus_uN_per_m = 5"}).lattice.moduli.kappa_S;
+  expect_digits(ramped.force, 60 * kappa_S, 1e-14);
+  EXPECT_EQ(ramped.in_step_after(0), 0);
+  expect_digits(ramped.in_step_after(5000), 0.5 * ramped.force, 1e-12);
+  EXPECT_EQ(ramped.in_step_after(10000), ramped.force);
+  EXPECT_EQ(ramped.in_step_after(1000000), ramped.force);
+  EXPECT_EQ(stretch("").in_step_after(0), ramped.force);  // at once
+}
+
 TEST(LatticeParameters, PlaceTheCellByItsOffsetFromTheAxis) {
   const Read r{RunText{.cell = "offset_y_um = 1.5\noffset_z_um = 5/6"}};
   const CellPlacement& cell = r.lattice.cells[0];

@@ -87,6 +87,13 @@ TEST(ParameterTable, OrdersChoicesLikeTheEnumerators) {
                                     {Shape::checkpoint, "checkpoint"},
                                     {Shape::none, "none"}})
     EXPECT_EQ(stored("cell.shape", text).cells[0].shape, value);
+  EXPECT_EQ(stored("cell.offset_from", "checkpoint").cells[0].offset_from, OffsetFrom::checkpoint);
+  EXPECT_EQ(stored("membrane.law", "neo_hookean").membrane.law, InPlaneLaw::neo_hookean);
+  for (const auto& [value, text] : {Named<StretchAxis>{StretchAxis::none, "none"},
+                                    {StretchAxis::x, "x"},
+                                    {StretchAxis::y, "y"},
+                                    {StretchAxis::z, "z"}})
+    EXPECT_EQ(stored("stretch.axis", text).stretch.axis, value);
   EXPECT_EQ(stored("cell.reference", "file").cells[0].reference, Reference::file);
   for (const auto& [value, text] : {Named<ShearConvention>{ShearConvention::kappa_S, "kappa_S"},
                                     {ShearConvention::G_s, "G_s"},
@@ -98,6 +105,7 @@ TEST(ParameterTable, OrdersChoicesLikeTheEnumerators) {
   EXPECT_EQ(n("kernel", "3-point").kernel, KernelWidth::three_point);
   EXPECT_EQ(n("kernel", "4-point").kernel, KernelWidth::four_point);
   EXPECT_EQ(n("advection", "adams_bashforth").advection, Advection::adams_bashforth);
+  EXPECT_EQ(n("advection", "averaged").advection, Advection::averaged);
   EXPECT_EQ(n("tracking", "vertex_normals_wide").tracking, TrackingChoice::vertex_normals_wide);
   EXPECT_EQ(n("tracking", "face_normals").tracking, TrackingChoice::face_normals);
   EXPECT_EQ(n("tracking", "off").tracking, TrackingChoice::off);

@@ -155,6 +155,25 @@ TEST_F(Samples, OtherColumnsAreAnObstacle) {
   EXPECT_THAT(other.obstacle(counted).value(), HasSubstr("other columns"));
 }
 
+TEST_F(Samples, LogOfAnOlderVersionGoesOnWithTheColumnsItHas) {
+  log.start();
+  add(log, 0, 3);
+  const SampleLogPosition counted = log.sync();
+  add(log, 3, 6);
+  const std::string undisturbed = content_of(path);
+
+  SampleLog newer(files, path, {"step", "new", "time_s", "cell", "d_um", "newer"}, [] {});
+  ASSERT_FALSE(newer.obstacle(counted).has_value());
+  newer.cut_back(counted);
+  for (std::int64_t step = 3; step < 6; ++step) {
+    const SampleRow old = row(step);
+    newer.append(std::vector<SampleRow>{{old[0], 0.5, old[1], old[2], old[3], 0.25}});
+  }
+  EXPECT_EQ(content_of(path), undisturbed);
+  EXPECT_THROW(newer.append(std::vector<SampleRow>{{std::int64_t{5}, 0.5, 0.0, std::int64_t{0}, 0.0, 0.25}}),
+               std::logic_error);  // the last step was read from the file
+}
+
 TEST_F(Samples, StartReplacesALogWithoutACheckpoint) {
   log.start();
   add(log, 0, 3);

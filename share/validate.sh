@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Builds and runs the validation suite: a table on stdout, the checks in build/validation.json. Ends with 1 if one fails.
+#   share/validate.sh [--only duct,membrane] [--list]
+# What is simulated stays in build/validation: called again, it goes on where it was, and repeats nothing.
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+
+echo "== building" >&2
+build validate >&2
+
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1  # as root the solver's MPI would refuse to start
+[ "${1:-}" = --list ] || set -- --studies studies/validation "$@"
+exec build/bin/validate "$@"
