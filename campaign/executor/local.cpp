@@ -32,6 +32,18 @@ void open_as(int target, const std::filesystem::path& file, int flags, int pipe)
   if (fd < 0 || ::dup2(fd, target) < 0) give_up(pipe, file.string() + ": cannot open: " + std::strerror(errno));
 }
 
+/// Where the kernel groups processes by session (autogroup), niceness weighs inside a session only, and a job has one of
+/// its own: the session gets the niceness that the job was given or inherited.
+void make_session_as_nice() {
+  const int niceness = ::getpriority(PRIO_PROCESS, 0);
+  const int fd = niceness > 0 ? ::open("/proc/self/autogroup", O_WRONLY | O_CLOEXEC) : -1;
+  if (fd < 0) return;  // not nice, or no groups: nothing to do
+  const std::string text = std::to_string(niceness);
+  const ssize_t ignored = ::write(fd, text.data(), text.size());
+  static_cast<void>(ignored);
+  ::close(fd);
+}
+
 /// All that happens between fork and exec. The open database is not touched, and closes with exec.
 [[noreturn]] void become_job(const Order& order, const std::vector<std::string>& command, int pipe) {
   ::setsid();
@@ -52,6 +64,7 @@ void open_as(int target, const std::filesystem::path& file, int flags, int pipe)
   if (order.niceness > 0 && ::setpriority(PRIO_PROCESS, 0, order.niceness) != 0) {
     give_up(pipe, std::string("cannot set the niceness: ") + std::strerror(errno));
   }
+  make_session_as_nice();
   // Written by the job itself, before exec: a manager that dies right after fork leaves nothing that cannot be found.
   const std::optional<ProcessIdentity> self = identity_of(::getpid());
   if (!self) give_up(pipe, "/proc is not readable");

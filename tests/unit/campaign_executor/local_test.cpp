@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "executor/attempt.hpp"
@@ -68,6 +69,17 @@ TEST_F(LocalJob, HasItsOwnSessionCoresAndFiles) {
   EXPECT_EQ(std::filesystem::read_symlink(fds + "0"), "/dev/null");
   EXPECT_EQ(std::filesystem::read_symlink(fds + "1"), run_ / "attempts/1/stdout");
   EXPECT_EQ(std::filesystem::read_symlink(fds + "2"), run_ / "attempts/1/stderr");
+}
+
+TEST_F(LocalJob, IsAsNiceAsAskedAndSoIsItsSession) {
+  order_.niceness = 7;
+  process_ = executor_.launch(order_);
+  const auto pid = static_cast<id_t>(process_.pid);
+  EXPECT_EQ(::getpriority(PRIO_PROCESS, pid), 7);
+  const std::filesystem::path session = "/proc/" + std::to_string(pid) + "/autogroup";  // not every kernel has it
+  if (std::filesystem::exists(session)) {
+    EXPECT_THAT(content_of(session), HasSubstr("nice 7"));
+  }
 }
 
 TEST_F(LocalJob, InheritsNoOpenFileOfTheManager) {
