@@ -10,13 +10,12 @@ struct Step {
   double now, before;  ///< X += now U + before U_previous
 };
 
-/// [dHumieres1989] d'Humieres, Qian, Lallemand, in Discrete Kinetic Theory, Lattice Gas Dynamics and Foundations of
-/// Hydrodynamics (1989): a plane of nodes hands all of its momentum across to its two neighbour planes in each step, so
-/// the sum of (-1)^(x+t) j_x over the lattice, likewise in y and z, is kept for ever. Under Euler's scheme a membrane
-/// of stiffness k, seen through the kernel, feeds that mode: with j' = -(j + F), u = j + F/2, F = -kX its factor a step
-/// is
-/// -(1 + k/2), unstable for any k > 0. The mean of two steps does not see it: the factors are 1 and -k/4.
-/// The 4-point kernel gives even and odd nodes equal weights and does not see it either.
+/// [Zanetti1989] Zanetti, Phys Rev A 40 (1989) 1539: a plane of nodes hands all of its momentum along its normal to its
+/// two neighbours in each step, so the sum of (-1)^(x+t) j_x over the lattice, likewise in y and z, is kept for ever.
+/// Under Euler's scheme a membrane that answers this mode with a stiffness k, seen through the kernel, feeds it: with
+/// j' = -(j + F), u = j + F/2, F = -kX its factor a step is -(1 + k/2), unstable for any k > 0
+/// (studies/safe-combinations). The mean of two steps does not see it: the factors are 1 and -k/4. The 4-point kernel
+/// gives even and odd nodes equal weights and does not see it either.
 Step step_of(Advection scheme) {
   switch (scheme) {
     case Advection::euler:

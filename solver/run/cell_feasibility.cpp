@@ -112,14 +112,6 @@ std::vector<std::string> check_mesh_feasibility(const RunFile& run, const Lattic
     warnings.push_back(fmt::format("{}has a mean edge of {:.3g} node spacings, outside {} to {}. {}", said,
                                    mesh.edge_mean, finest_mean, coarsest_mean,
                                    mesh.edge_mean < finest_mean ? "Coarsen the mesh" : "Refine the mesh"));
-  // Found in trial runs: such a mesh carries local-area modes that the trilinear velocity cannot satisfy.
-  constexpr double most_area_ratio = 10;
-  if (p.numerics.kernel == KernelWidth::two_point &&
-      lattice.moduli.kappa_A > most_area_ratio * lattice.moduli.kappa_S && mesh.edge_mean < 1)
-    warnings.push_back(fmt::format(
-        "{}: numerics.kernel = 2-point with membrane.area_ratio = {} and a mean edge of {:.3g} node spacings "
-        "lost the membrane in trial runs. Use kernel = 4-point, area_ratio <= {}, or a coarser mesh",
-        run.where("numerics.kernel"), canonical(p.membrane.area_ratio), mesh.edge_mean, most_area_ratio));
   return warnings;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "run/safe_combinations.hpp"
 #include "run/value_text.hpp"
 
 namespace rouleau {
@@ -32,6 +33,7 @@ class Examination {
       check_resolution();
       check_boxes();
       check_stiffness();
+      check_combination();
       check_inertia();
     }
     return std::move(warnings_);
@@ -165,12 +167,33 @@ class Examination {
     if (n_.bending_number > n_.bending_limit)
       refuse("numerics.time_step_us", "gives kappa_B dt/(mu dx^3) = {:.3g}; above {} the membrane is unstable. {}",
              n_.bending_number, n_.bending_limit, slower(n_.bending_number, n_.bending_limit));
-    // What trial runs held, by kernel; the next larger step that was tried failed.
-    const bool is_two_point = p_.numerics.kernel == KernelWidth::two_point;
-    const double held = (is_two_point ? 0.08 : 0.7) * n_.area_limit;
-    if (stiffest > held)
-      warn("numerics.time_step_us", "gives {} dt/(mu dx) = {:.3g}; trial runs with this kernel held up to {:.3g}. {}{}",
-           modulus, stiffest, held, slower(stiffest, held), is_two_point ? ", or use kernel = 4-point" : "");
+  }
+
+  void check_combination() {
+    const auto [held, lost, least_area_ratio] = trial_runs(p_.numerics.kernel, p_.numerics.advection);
+    if (p_.membrane.law == InPlaneLaw::skalak && p_.cells[0].shape == Shape::red_blood_cell &&
+        lattice_.body_force > 0 && p_.membrane.area_ratio < least_area_ratio)
+      warn("membrane.area_ratio",
+           "folded triangles within 30 ms of trial runs with this kernel, or was not tried; {:.3g} held "
+           "(studies/safe-combinations). Raise it, or use kernel = 2-point with "
+           "advection = averaged, which held 10",
+           least_area_ratio);
+    const double stiffness = std::max(lattice_.moduli.kappa_A, lattice_.moduli.kappa_S);
+    if (stiffness <= held) return;
+    const bool was_lost = lattice_.moduli.kappa_A >= lost;  // the trials were of stiff areas, not of stiff shear
+    std::string remedy = choices_that_held(stiffness);
+    // With a step shorter by s, and tau - 1/2 with it, the Reynolds number stays and the stiffness falls by s^2.
+    if (held > 0)
+      remedy += fmt::format("{}time_step_us and tau_plasma - 1/2 smaller by {:.3g}", remedy.empty() ? "" : ", or ",
+                            std::sqrt(stiffness / held));
+    const std::string text = fmt::format(
+        "with advection = {} {} a membrane of stiffness kappa_A dt^2/(rho dx^3) = {:.3g}: trial runs {}, and were lost "
+        "from {:.3g} on (studies/safe-combinations). Choose {}",
+        run_.value("numerics.advection").value, was_lost ? "loses" : "may lose", stiffness,
+        held > 0 ? fmt::format("held up to {:.3g}", held) : "held at no stiffness", lost, remedy);
+    if (was_lost && p_.bounds.unsafe_combination == UnsafeCombination::refuse)
+      refuse("numerics.kernel", "{}; or run it all the same with bounds.unsafe_combination = run", text);
+    warn("numerics.kernel", "{}", text);
   }
 
   void check_inertia() {

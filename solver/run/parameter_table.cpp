@@ -290,7 +290,7 @@ Rows numerics_rows() {
       real("numerics", "omega_m", "1", 0.01, 1.99, numerics<&P::omega_m>, "rate of the third-order moments")
           .when("collision", {"mrt"}),
       choice("numerics", "kernel", "4-point", {"2-point", "3-point", "4-point"}, numerics<&P::kernel>,
-             "of spreading and interpolation; 2-point: the paper's, unstable at large area_ratio")
+             "of spreading and interpolation; 2-point: the paper's; 2- and 3-point need advection = averaged")
           .with_cells(),
       real("numerics", "mesh_mobility", "0.1", 0, 0.3, numerics<&P::mesh_mobility>,
            "share of the vertices' answer to the mesh's shortest waves that the kernel hides and that they get back; "
@@ -323,6 +323,8 @@ Rows free_rows() {
       real("output", "checkpoint_interval_min", "10", 1e-4, 1e5, output<&O::checkpoint_interval_min>,
            "wall-clock time between checkpoints"),
       integer("output", "checkpoints_kept", "3", 2, 1000, output<&O::checkpoints_kept>, "the newest n"),
+      choice("bounds", "unsafe_combination", "refuse", {"refuse", "run"}, bounds<&B::unsafe_combination>,
+             "what to do with a kernel and a stiffness that trial runs lost at once"),
       real("bounds", "area_ratio_min", "0.7", 0.01, 1, bounds<&B::area_ratio_min>,
            "A/A0 below this ends the run with exit code 70, like the others here"),
       real("bounds", "area_ratio_max", "1.5", 1, 100, bounds<&B::area_ratio_max>, "A/A0 above this"),

@@ -24,6 +24,7 @@ enum class StretchAxis { none, x, y, z };
 enum class Precision { single_, double_ };
 enum class CollisionLaw { trt, mrt };
 enum class KernelWidth { two_point, three_point, four_point };
+enum class UnsafeCombination { refuse, run };
 enum class TrackingChoice { vertex_normals, vertex_normals_wide, face_normals, off };
 
 struct FluidParameters {
@@ -109,6 +110,7 @@ struct OutputParameters {
 };
 
 struct BoundsParameters {
+  UnsafeCombination unsafe_combination{};
   double area_ratio_min = 0, area_ratio_max = 0;
   double inside_ratio_min = 0, inside_ratio_max = 0;
   double max_mach = 0;

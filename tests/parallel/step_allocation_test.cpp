@@ -38,7 +38,7 @@ void allocates_nothing(const std::string& numerics) {
 
 TEST(StepAllocation, NothingInSingleWithTheFourPointKernel) { allocates_nothing("kernel = 4-point\n"); }
 TEST(StepAllocation, NothingInDoubleWithTheTwoPointKernel) {
-  allocates_nothing("precision = double\nkernel = 2-point\nadvection = adams_bashforth\n");
+  allocates_nothing("precision = double\nkernel = 2-point\nadvection = averaged\n");
 }
 TEST(StepAllocation, NothingWithFaceNormalsAndMrt) { allocates_nothing("tracking = face_normals\ncollision = mrt\n"); }
 

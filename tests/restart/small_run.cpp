@@ -26,6 +26,7 @@ SmallRun::SmallRun(Changes changes)
               {"numerics.node_spacing_um", "2/3"},
               {"numerics.time_step_us", fmt::format("{}", time_step_us)},
               {"numerics.correction_interval", "7"},
+              {"bounds.unsafe_combination", "run"},  // some tests take a kernel that would not hold for long
               {"output.sample_interval_steps", "10"},
               {"output.progress_interval_s", "1"}} {
   for (const auto& [name, value] : changes) values_[name] = value;

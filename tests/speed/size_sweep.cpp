@@ -6,8 +6,9 @@
 #include "interior/ray_cast.hpp"
 #include "interior/tracker.hpp"
 #include "membrane/assemble.hpp"
+#include "membrane/shapes.hpp"
+#include "membrane/transform.hpp"
 #include "ray_times.hpp"
-#include "sphere_mesh.hpp"
 #include "stopwatch.hpp"
 #include "support/one_block.hpp"
 
@@ -18,7 +19,9 @@ namespace {
 Cells cell_for(int edge) {
   // Beside the lattice's symmetry planes, where many vertices would share their nodes.
   const Vec3 centre = Vec3::Constant((edge - 1) / 2.0) + Vec3(0.13, 0.29, 0.37);
-  const std::vector<CellStart> starts{{red_blood_cell_of_frequency(edge / 3, edge / 4.0, centre), std::nullopt}};
+  Surface surface = red_blood_cell(Division::of_frequency(edge / 3), edge / 4.0);
+  translate(surface, centre);
+  const std::vector<CellStart> starts{{std::move(surface), std::nullopt}};
   return assemble(starts);
 }
 

@@ -28,6 +28,40 @@ TEST(MembraneShapes, EveryLevelHasTheCountsOfEulerAndIsAClosedSurface) {
   }
 }
 
+TEST(MembraneShapes, EveryFrequencyHasTheCountsOfEulerAndIsAClosedSurface) {
+  for (const int n : {1, 3, 5, 6, 9, 12, 14, 24}) {
+    const Surface surface = unit_sphere(Division::of_frequency(n));
+    EXPECT_EQ(surface.triangles.size(), static_cast<std::size_t>(20 * n * n));
+    EXPECT_EQ(surface.X.size(), static_cast<std::size_t>(10 * n * n + 2));  // V - E + F = 2 with E = 3/2 F
+    EXPECT_NO_THROW(check_surface(surface, "sphere"));
+    EXPECT_NO_THROW(check_surface(red_blood_cell(Division::of_frequency(n), 4), "red blood cell"));
+  }
+}
+
+TEST(MembraneShapes, AFrequencyOfAPowerOfTwoIsASubdivisionToTheBit) {
+  const Surface by_frequency = unit_sphere(Division::of_frequency(8)), by_subdivisions = unit_sphere(3);
+  EXPECT_EQ(by_frequency.X.x, by_subdivisions.X.x);
+  EXPECT_EQ(by_frequency.X.y, by_subdivisions.X.y);
+  EXPECT_EQ(by_frequency.X.z, by_subdivisions.X.z);
+  EXPECT_EQ(by_frequency.triangles.a, by_subdivisions.triangles.a);
+}
+
+TEST(MembraneShapes, EdgesOfAnyFrequencyAreAboutEquallyLong) {
+  for (const int n : {4, 8, 16}) {  // the measure: what subdivision alone gives
+    const EdgeLengths split = edge_lengths(unit_sphere(Division::of_frequency(n)));
+    const EdgeLengths cut = edge_lengths(unit_sphere(Division::of_frequency(3 * n / 2)));
+    EXPECT_LT(cut.max / cut.min, 1.1 * split.max / split.min);
+    EXPECT_NEAR(cut.mean / split.mean, 2.0 / 3.0, 0.02);
+  }
+}
+
+TEST(MembraneShapes, VolumeAndAreaConvergeAtSecondOrderInTheFrequency) {
+  const double exact_volume = 4 * std::numbers::pi / 3, exact_area = 4 * std::numbers::pi;
+  const Surface coarse = unit_sphere(Division::of_frequency(6)), fine = unit_sphere(Division::of_frequency(12));
+  EXPECT_NEAR((1 - volume(coarse) / exact_volume) / (1 - volume(fine) / exact_volume), 4, 0.2);
+  EXPECT_NEAR((1 - area(coarse) / exact_area) / (1 - area(fine) / exact_area), 4, 0.2);
+}
+
 TEST(MembraneShapes, SphereVolumeAndAreaConvergeAtSecondOrder) {
   const double exact_volume = 4 * std::numbers::pi / 3 * 8, exact_area = 4 * std::numbers::pi * 4;
   double volume_error = 0, area_error = 0;
@@ -118,6 +152,8 @@ TEST(MembraneShapes, NeighboursStandCloseInMemory) {
 TEST(MembraneShapes, WrongSizesAreRefused) {
   EXPECT_THROW(unit_sphere(-1), Error);
   EXPECT_THROW(unit_sphere(8), Error);
+  EXPECT_THROW(Division::of_frequency(0), Error);
+  EXPECT_THROW(Division::of_frequency(129), Error);
   EXPECT_THROW(sphere(2, 0), Error);
   EXPECT_THROW(ellipsoid(2, {1, -1, 1}), Error);
   EXPECT_THROW(red_blood_cell(2, std::nan("")), Error);

@@ -2,6 +2,7 @@
 // What is warned about, and that sound runs are left in peace. Refusals are in tests/contract/bad_run_files.
 #include "run/feasibility.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -42,11 +43,6 @@ TEST(Warnings, NameEachDoubtfulChoice) {
   expect_warning({.fluid = "lambda = 20", .numerics = "collision = mrt"}, "inaccurate at the membrane");
   expect_warning({.numerics = "correction_interval = 0"}, "wrong inside flags");
   expect_warning({.spacing = "node_spacing_um = 1/3\ntime_step_us = 0.5"}, "inflates the Reynolds number");
-  expect_warning({.numerics = "tau_plasma = 3", .spacing = "node_spacing_um = 1/3\ntime_step_us = 1.5"},
-                 "held up to 1.75");
-  expect_warning(
-      {.numerics = "tau_plasma = 1.5\nkernel = 2-point", .spacing = "node_spacing_um = 1/3\ntime_step_us = 0.308642"},
-      "kernel = 4-point");
   expect_warning({.numerics = "tau_plasma = 1.5",
                   .lengths = "length_x_um = 42\nlength_y_um = 12\nlength_z_um = 10",
                   .spacing = "node_spacing_um = 1/2\ntime_step_us = 25/36"},
@@ -69,6 +65,53 @@ TEST(Stiffness, LimitIsHalfAsHighForAdamsBashforth) {
   EXPECT_THROW(Read(second).warnings(), Error);
 }
 
+/// The paper's time step times `factor`, tau - 1/2 growing alike.
+RunText at_step(double factor, const std::string& numerics) {
+  RunText text;
+  text.numerics = fmt::format("tau_plasma = {}\n{}", 0.5 + 0.5 * factor, numerics);
+  text.spacing = fmt::format("node_spacing_um = 1/3\ntime_step_us = {}", factor * 0.154321);
+  return text;
+}
+
+std::string refusal(const RunText& text) {
+  try {
+    static_cast<void>(Read(text).warnings());
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SafeCombinations, AreLeftInPeace) {
+  const auto about_the_kernel = Contains(HasSubstr("numerics.kernel"));
+  EXPECT_THAT(Read(at_step(8, "kernel = 4-point")).warnings(), Not(about_the_kernel));
+  EXPECT_THAT(Read(at_step(4, "kernel = 3-point\nadvection = averaged")).warnings(), Not(about_the_kernel));
+  EXPECT_THAT(Read(at_step(2, "kernel = 2-point\nadvection = averaged")).warnings(), Not(about_the_kernel));
+}
+
+TEST(SafeCombinations, ThatWereLostAtOnceAreRefusedWithTheNearestThatHeld) {
+  EXPECT_THAT(refusal(at_step(1, "kernel = 2-point")),
+              AllOf(HasSubstr("numerics.kernel = 2-point with advection = euler loses"),
+                    HasSubstr("Choose kernel = 2-point with advection = averaged or kernel = 3-point"),
+                    HasSubstr("bounds.unsafe_combination = run")));
+  EXPECT_THAT(refusal(at_step(4, "kernel = 2-point\nadvection = averaged")),
+              AllOf(HasSubstr("Choose kernel = 3-point with advection = averaged or kernel = 4-point"),
+                    HasSubstr("smaller by 1.99")));
+  EXPECT_THAT(refusal(at_step(10, "kernel = 4-point")), HasSubstr("Choose time_step_us and tau_plasma - 1/2 smaller"));
+}
+
+TEST(SafeCombinations, ThatWereNotTriedOrLostLaterAreWarnedOf) {
+  const RunText soft{.membrane = "area_ratio = 10", .numerics = "kernel = 2-point"};
+  EXPECT_THAT(Read(soft).warnings(), Contains(AllOf(HasSubstr("may lose"), HasSubstr("held at no stiffness"))));
+  EXPECT_THAT(Read(at_step(3, "kernel = 2-point\nadvection = averaged")).warnings(), Contains(HasSubstr("may lose")));
+}
+
+TEST(SafeCombinations, ThatAreRefusedCanBeRunKnowingly) {
+  RunText text = at_step(1, "kernel = 2-point");
+  text.bounds = "unsafe_combination = run";
+  EXPECT_THAT(Read(text).warnings(), Contains(HasSubstr("loses a membrane")));
+}
+
 class MeshFeasibility : public testing::Test {
  protected:
   // The 5120-triangle cell at dx = 1/3 um: mean 0.777, min 0.452, max 1.035 node spacings.
@@ -81,15 +124,6 @@ class MeshFeasibility : public testing::Test {
 };
 
 TEST_F(MeshFeasibility, AcceptsThePapersMeshWithTheWideKernel) { EXPECT_THAT(warnings({}, paper_), IsEmpty()); }
-
-TEST_F(MeshFeasibility, WarnsOfTheNarrowKernelWithAStiffAreaOnAFineMesh) {
-  EXPECT_THAT(warnings({.numerics = "kernel = 2-point"}, paper_),
-              Contains(HasSubstr("lost the membrane in trial runs")));
-  EXPECT_THAT(warnings({.membrane = "area_ratio = 10", .numerics = "kernel = 2-point"}, paper_), IsEmpty());
-  MeshFacts coarse = paper_;
-  coarse.edge_mean = 1.05;
-  EXPECT_THAT(warnings({.numerics = "kernel = 2-point"}, coarse), IsEmpty());
-}
 
 TEST_F(MeshFeasibility, WarnsOfEdgesOutsideTheirWindowAndRefusesLongOnes) {
   MeshFacts mesh = paper_;

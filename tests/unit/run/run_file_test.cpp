@@ -87,6 +87,16 @@ TEST(RunFile, HoldsSeveralCells) {
   EXPECT_EQ(run.value("cell.2.radius_um").value, "4");
 }
 
+TEST(RunFile, TakesTheFrequencyOrTheSubdivisionsOfTheMesh) {
+  const auto frequency = [](const std::string& cell) {
+    return Read(RunText{.cell = cell}).run.parameters.cells[0].frequency;
+  };
+  EXPECT_EQ(frequency(""), 16);
+  EXPECT_EQ(frequency("subdivisions = 3"), 8);
+  EXPECT_EQ(frequency("frequency = 12"), 12);
+  EXPECT_EQ(Read(RunText{.cell = "subdivisions = 3"}).run.value("cell.frequency").value, "8");
+}
+
 TEST(RunFile, HasNoCellsWithoutAShape) {
   EXPECT_TRUE(Read(RunText{.cell = "shape = none"}).run.parameters.cells.empty());
 }
@@ -142,6 +152,7 @@ TEST(Identity, IgnoresDefaultsThatAreNamedAndHowNumbersAreWritten) {
   EXPECT_EQ(plain,
             identity_of({.fluid = "lambda = 19/4\ndensity_kg_per_m3 = 1000", .numerics = "magic_lambda = 0.1875"}));
   EXPECT_EQ(plain, identity_of({.fluid = "lambda = 4.75", .cell = "position_x_um = 64/3"}));  // half of the length
+  EXPECT_EQ(plain, identity_of({.fluid = "lambda = 4.75", .cell = "frequency = 16"}));        // 4 subdivisions
 }
 
 TEST(Identity, IgnoresFreeParameters) {

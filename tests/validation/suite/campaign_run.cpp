@@ -110,8 +110,8 @@ std::vector<CampaignPoint> run_campaign(const Places& places, const std::string&
   std::vector<CampaignPoint> points = read_points(places, campaign);
   for (CampaignPoint& point : points) {
     if (point.text("state") != "done")
-      fail(Exit::physics, "point {} ({}) is {}. `rouleau why -C {} {}` says why", point.text("key"),
-           point.text("swept"), point.text("state"), campaign.string(), point.text("key"));
+      fail(Exit::physics, "point {} is {}. `rouleau why -C {} {}` says why", point.text("key"), point.text("state"),
+           campaign.string(), point.text("key"));
     point.samples = read_samples(point.directory / "samples.csv");
   }
   return points;

@@ -32,6 +32,9 @@ void fill_halo(Flags& flags, const Lattice& lattice) {
 }  // namespace
 
 void Worst::see(const testing::TrackingDifference& d, bool is_corrected) {
+  count_error_sum += static_cast<double>(d.excess) / d.volume;
+  ++looks;
+  count_error = std::max(count_error, std::abs(static_cast<double>(d.excess)) / d.volume);
   wrong_share = std::max(wrong_share, static_cast<double>(d.wrong) / static_cast<double>(d.shell));
   volume_error = std::max(volume_error, std::abs(d.volume_error()));
   cast_volume_error = std::max(cast_volume_error, std::abs(static_cast<double>(d.inside) / d.volume - 1));
@@ -40,7 +43,8 @@ void Worst::see(const testing::TrackingDifference& d, bool is_corrected) {
 }
 
 Follower::Follower(Tracking variant, std::int64_t correction_interval, const Lattice& lattice, const Cells& cells)
-    : name_(name_of(variant, correction_interval)),
+    : variant_(variant),
+      name_(name_of(variant, correction_interval)),
       interval_(correction_interval),
       lattice_(lattice),
       flags_(lattice.size, 1),
@@ -58,8 +62,8 @@ void Follower::follow(const Cells& cells, std::int64_t step) {
   ++worst_.corrections;
 }
 
-void Follower::look(const Cells& cells, std::int64_t step) {
-  worst_.see(testing::tracking_difference(flags_, cells, lattice_), corrects_at(step));
+testing::TrackingDifference Follower::difference(const Cells& cells) const {
+  return testing::tracking_difference(flags_, cells, lattice_);
 }
 
 }  // namespace rouleau::validation

@@ -139,10 +139,28 @@ TEST(CampaignRun, RunsAStudyOnceAndReadsItsSamples) {
   EXPECT_FALSE(std::filesystem::exists(place.path() / "made" / "small" / "mark")) << "made anew for another solver";
 }
 
+TEST(CampaignRun, StudyThatIsRefusedIsAnError) {
+  const TemporaryDirectory place;
+  set_content(place.path() / "small.ini", std::string(small_study) + "[fluid]\nlambda = 2\n");
+  EXPECT_THROW((void)run_campaign({place.path(), place.path() / "made", ROULEAU_PROGRAMS}, "small"), Error);
+}
+
 TEST(CampaignRun, PointThatFailsIsNamed) {
   const TemporaryDirectory place;
-  set_content(place.path() / "small.ini", std::string(small_study) + "[bounds]\nmax_mach = 1e-4\n");
-  EXPECT_THROW((void)run_campaign({place.path(), place.path() / "made", ROULEAU_PROGRAMS}, "small"), Error);
+  // No lattice counts the volume of a sphere to the last node: the first look at its health ends the run.
+  set_content(place.path() / "strict.ini",
+              "[study]\nname = strict\n[channel]\nlength_x_um = 9\nlength_y_um = 9\nlength_z_um = 9\n"
+              "[cell]\nshape = sphere\nradius_um = 3\nsubdivisions = 3\n[flow]\nmean_velocity_mm_per_s = 0.1\n"
+              "[numerics]\nnode_spacing_um = 0.5\ntime_step_us = 0.5\n[time]\nend_time_s = 1e-5\n"
+              "[bounds]\ninside_ratio_min = 1\ninside_ratio_max = 1\n");
+  const Places places{place.path(), place.path() / "made", ROULEAU_PROGRAMS};
+  const std::string key = make_campaign(places, "strict").at(0).text("key");
+  try {
+    (void)run_campaign(places, "strict");
+    FAIL() << "the point should be lost";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("point " + key + " is failed"), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace

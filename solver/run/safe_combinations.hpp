@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The map of what holds: kernels and schemes of advection against the membrane's stiffness (studies/safe-combinations).
+#pragma once
+
+#include <string>
+
+#include "run/parameters.hpp"
+
+namespace rouleau {
+
+/// What trial runs of a red blood cell in the paper's channel (dx = 1/3 um, 2880 and 5120 triangles) say of a kernel
+/// with a scheme of advection, by the stiffness kappa_A dt^2 / (rho dx^3), which is kappa_A in lattice units.
+struct TrialRuns {
+  double held;              ///< the largest at which the cell was whole after 0.1 s; 0: none
+  double lost;              ///< the smallest at which it was lost within 15 ms, or already at rest
+  double least_area_ratio;  ///< the smallest C that held; below, triangles folded or it was not tried
+};
+
+TrialRuns trial_runs(KernelWidth kernel, Advection advection);
+
+/// The choices of kernel and advection that held a membrane as stiff as this, as advice: "kernel = 4-point or ...";
+/// empty if none did.
+std::string choices_that_held(double stiffness);
+
+}  // namespace rouleau
