@@ -32,8 +32,8 @@ void open_as(int target, const std::filesystem::path& file, int flags, int pipe)
   if (fd < 0 || ::dup2(fd, target) < 0) give_up(pipe, file.string() + ": cannot open: " + std::strerror(errno));
 }
 
-/// Where the kernel groups processes by session (autogroup), niceness weighs inside a session only, and a job has one of
-/// its own: the session gets the niceness that the job was given or inherited.
+/// Where the kernel groups processes by session (autogroup), niceness weighs inside a session only, and a job has one
+/// of its own: the session gets the niceness that the job was given or inherited.
 void make_session_as_nice() {
   const int niceness = ::getpriority(PRIO_PROCESS, 0);
   const int fd = niceness > 0 ? ::open("/proc/self/autogroup", O_WRONLY | O_CLOEXEC) : -1;

@@ -31,7 +31,8 @@ class MeshMobility {
   /// lattice units.
   MeshMobility(const Cells& cells, double mobility, double viscosity_sum);
 
-  /// The vertices whose forces this block needs: to spread them, and around the vertices it owns.   [vertices] 1: needed
+  /// The vertices whose forces this block needs: to spread them, and around the vertices it owns.   [vertices] 1:
+  /// needed
   [[nodiscard]] std::span<const std::uint8_t> needs(const Stencils& stencils);
 
   /// reads   cells.F      of the vertices in `owned` and of their neighbours

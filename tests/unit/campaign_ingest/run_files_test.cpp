@@ -52,7 +52,7 @@ TEST_F(RunFilesTest, ProgressIsReadWithNullsAsUnset) {
 
 TEST_F(RunFilesTest, TimeOfACheckpointThatIsNotThereIsUnset) {
   set_content(attempt_ / "progress.json",
-             R"({"attempt": 1, "step": 5, "end_step": 9, "checkpoint_step": 0, "checkpoint_unix_s": 0.0})");
+              R"({"attempt": 1, "step": 5, "end_step": 9, "checkpoint_step": 0, "checkpoint_unix_s": 0.0})");
   const std::optional<ProgressFile> progress = read_progress_file(attempt_ / "progress.json", warnings_);
   ASSERT_TRUE(progress);
   EXPECT_FALSE(progress->checkpoint_unix_s) << "read as a checkpoint of 1970";
