@@ -6,6 +6,7 @@
 
 #include "interior/ray_cast.hpp"
 #include "membrane/volume.hpp"
+#include "support/shell.hpp"
 
 namespace rouleau::testing {
 
@@ -29,22 +30,6 @@ inline double squared_distance(const Lattice& lattice, const Vec3& a, const Vec3
     sum += d * d;
   }
   return sum;
-}
-
-/// Marks each node among the eight around each vertex.
-inline Flags shell_of(const Cells& cells, const Lattice& lattice) {
-  Flags shell(lattice.size, 1);
-  for (std::size_t v = 0; v < cells.vertices(); ++v)
-    for (int corner = 0; corner < 8; ++corner) {
-      Int3 n;
-      bool exists = true;
-      for (int axis = 0; axis < 3; ++axis) {
-        n[axis] = lattice.wrap(axis, static_cast<int>(std::floor(at(cells.X, v)[axis])) + (corner >> axis & 1));
-        exists = exists && lattice.contains(axis, n[axis]);
-      }
-      if (exists) shell(n[0], n[1], n[2]) = 1;
-    }
-  return shell;
 }
 
 /// `tracked(i, j, k)` is 1 inside, 0 outside, of a lattice in one block.

@@ -114,9 +114,14 @@ TEST_F(LocalJob, StopsBehindACheckpointWhenAsked) {
 }
 
 TEST_F(LocalJob, IsNotSignalledBeforeItCatchesSignals) {
-  // Without started.json nobody knows whether the signal is caught; sent to us, it would end this test.
+  // Without started.json nobody knows whether the signal is caught. Asked of ourselves, with all signals held back.
+  sigset_t all, before, waiting;
+  sigfillset(&all);
+  ::sigprocmask(SIG_BLOCK, &all, &before);
   executor_.ask_to_stop(identity_of(::getpid()).value(), run_, 1);
-  SUCCEED();
+  ::sigpending(&waiting);
+  for (const int signal : {SIGUSR2, SIGTERM, SIGINT}) EXPECT_EQ(sigismember(&waiting, signal), 0) << signal;
+  ::sigprocmask(SIG_SETMASK, &before, nullptr);
 }
 
 TEST_F(LocalJob, ProgramThatIsNotThereIsAnErrorAndLeavesNoProcess) {

@@ -11,6 +11,7 @@
 #include "membrane/shapes.hpp"
 #include "membrane/transform.hpp"
 #include "support/blocks.hpp"
+#include "support/shell.hpp"
 
 namespace rouleau::testing {
 
@@ -64,18 +65,7 @@ inline std::int64_t differences_on_block(const Flags& part, const Flags& one, co
 
 /// Nodes among the eight around each vertex, each counted once.
 inline std::int64_t shell_nodes(const Cells& cells, const Lattice& lattice) {
-  Flags seen = flags_on(whole(lattice));
-  for (std::size_t v = 0; v < cells.vertices(); ++v)
-    for (int corner = 0; corner < 8; ++corner) {
-      Int3 n;
-      bool exists = true;
-      for (int axis = 0; axis < 3; ++axis) {
-        n[axis] = lattice.wrap(axis, static_cast<int>(std::floor(at(cells.X, v)[axis])) + (corner >> axis & 1));
-        exists = exists && lattice.contains(axis, n[axis]);
-      }
-      if (exists) seen(n[0], n[1], n[2]) = 1;
-    }
-  return count_inside(seen);
+  return count_inside(shell_of(cells, lattice));
 }
 
 }  // namespace rouleau::testing
