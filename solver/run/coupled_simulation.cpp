@@ -25,6 +25,7 @@ CoupledSimulation<Real>::CoupledSimulation(const Setup& setup, const Communicato
       reach_(setup.lattice.lattice, decomposition.block(), velocity_halo),
       stencils_(kernel_of(setup), setup.lattice.lattice, decomposition.block(), cells_.vertices()),
       forces_(cells_),
+      fold_resistance_(cells_, setup.run.parameters.numerics.fold_resistance * setup.lattice.moduli.kappa_B),
       mesh_health_(cells_),
       volume_shift_(cells_),
       mesh_mobility_(cells_, setup.run.parameters.numerics.mesh_mobility, setup.lattice.nu_out + setup.lattice.nu_in),
@@ -70,6 +71,7 @@ void CoupledSimulation<Real>::compute_membrane_forces() {
   find_stencils(cells_, stencils_);
   timers_.lap(Part::stencils);
   forces_.compute(cells_, setup_.lattice.moduli, mesh_mobility_.needs(stencils_));
+  fold_resistance_.add(cells_);
   if (stretch_) stretch_->add(cells_.F, setup_.lattice.stretch.in_step_after(counters_.steps_done));
   timers_.lap(Part::forces);
 }

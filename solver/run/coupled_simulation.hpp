@@ -13,6 +13,7 @@
 #include "fluid/controller.hpp"
 #include "interior/correction.hpp"
 #include "interior/tracker.hpp"
+#include "membrane/fold_resistance.hpp"
 #include "membrane/membrane_forces.hpp"
 #include "membrane/mesh_health.hpp"
 #include "membrane/stretch.hpp"
@@ -77,6 +78,7 @@ class CoupledSimulation final : public Simulation {
   Stencils stencils_;
   WallVelocities walls_;
   MembraneForces forces_;
+  FoldResistance fold_resistance_;
   std::optional<Stretch> stretch_;  ///< none: nothing pulls at the cells
   MeshHealth mesh_health_;
   VolumeShift volume_shift_;

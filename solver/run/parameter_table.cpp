@@ -294,13 +294,18 @@ Rows numerics_rows() {
           .with_cells(),
       real("numerics", "mesh_mobility", "0.1", 0, 0.3, numerics<&P::mesh_mobility>,
            "share of the vertices' answer to the mesh's shortest waves that the kernel hides and that they get back; "
-           "0: the "
-           "paper's way, in which triangles collapse and fold sooner or later"),
+           "0: the paper's way, in which triangles collapse and fold sooner or later"),
+      real("numerics", "fold_resistance", "2", 0, 100, numerics<&P::fold_resistance>,
+           "energy, in kappa_B, of edges sharper than 60 degrees, without bound where they fold flat; 0: the paper's "
+           "way, "
+           "in which a rim narrower than an edge closes like a book"),
       choice("numerics", "advection", "euler", {"euler", "adams_bashforth", "averaged"}, numerics<&P::advection>,
              "of the vertices; averaged: by the mean velocity of two steps, which the 2- and 3-point kernels need")
           .with_cells(),
-      choice("numerics", "tracking", "vertex_normals", {"vertex_normals", "vertex_normals_wide", "face_normals", "off"},
-             numerics<&P::tracking>, "inside/outside update: r_shell = 1, r_shell = 2, by faces; off needs lambda = 1")
+      choice("numerics", "tracking", "face_normals", {"vertex_normals", "vertex_normals_wide", "face_normals", "off"},
+             numerics<&P::tracking>,
+             "inside/outside update: by vertices with r_shell = 1 or 2, or by faces (fewest wrong flags); off needs "
+             "lambda = 1")
           .with_cells(),
       integer("numerics", "correction_interval", "500", 0, 1e9, numerics<&P::correction_interval>,
               "steps between corrections of the inside flags; 0: never")

@@ -95,6 +95,7 @@ struct NumericsParameters {
   Advection advection{};
   TrackingChoice tracking{};
   double mesh_mobility = 0;              ///< share of the response hidden by the kernel
+  double fold_resistance = 0;            ///< of edges sharper than 60 degrees, in kappa_B
   std::int64_t correction_interval = 0;  ///< steps; 0 = never
 };
 
