@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "commands/pause.hpp"
 #include "executor/attempt.hpp"
 #include "ingest/ingest.hpp"
 #include "ingest/result_file.hpp"
@@ -48,7 +49,7 @@ Manager::Manager(const std::filesystem::path& directory, const std::string& verb
       store_(Store::open(directory_ / "campaign.db")),
       study_(parse_study(store_.campaign().study_text, directory_ / "study.ini")),
       policy_(policy_of(study_.execution)),
-      breaker_(static_cast<int>(study_.execution.pause_after_failures)),
+      breaker_(kept_breaker(store_, study_)),
       allowed_(allowed_cores()) {}
 
 std::filesystem::path Manager::run_directory(const std::string& key) const { return point_directory(directory_, key); }
@@ -163,20 +164,23 @@ void Manager::note_end(const PointRow& point, const Recorded& recorded, const Ga
   // A stop file that was obeyed would stop the next start too; of a cancelled point it stays until `retry`.
   if (verdict.state != State::cancelled) remove_stop_file(run_directory(point.key));
   if (!is_early_failure(recorded, gathered.evidence, verdict)) {
-    breaker_.note_progress();
+    note_progress();
     return;
   }
   const Evidence& evidence = gathered.evidence;
-  const bool had_tripped = breaker_.has_tripped();
-  breaker_.note_failure(point.key, evidence.exit
-                                       ? fmt::format("exit {}: {}", evidence.exit->code, evidence.exit->reason)
-                                       : "crashed: " + evidence.last_words);
-  if (breaker_.has_tripped() && !had_tripped) {
-    say_(fmt::format(
-        "paused: {} points in a row failed early and alike ({}). Nothing more is started. Correct the cause, then "
-        "`rouleau retry --all-failed` and `rouleau run`.",
-        breaker_.count(), breaker_.reason()));
-  }
+  note_failure(point.key, evidence.exit ? fmt::format("exit {}: {}", evidence.exit->code, evidence.exit->reason)
+                                        : "crashed: " + evidence.last_words);
+}
+
+void Manager::note_failure(const std::string& key, const std::string& reason) {
+  breaker_.note_failure(key, reason);
+  keep(store_, breaker_);
+}
+
+void Manager::note_progress() {
+  if (breaker_.count() == 0) return;
+  breaker_.note_progress();
+  keep(store_, breaker_);
 }
 
 void Manager::finish(const std::string& key) {
@@ -248,6 +252,7 @@ void Manager::retry(const PointRow& point) {
   store_.set_retry(point.key, 0, 0);
   const State next = gathered.evidence.newest_checkpoint >= 0 ? State::stopped : State::waiting;
   store_.change_state(point.key, point.state, next, "retry asked for by the user");
+  note_progress();  // who retries has corrected the common cause
   transaction.commit();
   say_(name_of(point) + ": will be started again");
 }

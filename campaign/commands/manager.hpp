@@ -50,6 +50,9 @@ class Manager {
   /// an attempt whose end is not recorded.
   void reconcile(bool all);
 
+  /// Warns if the disk has less room than the points left will need until their ends.
+  void check_room();
+
   /// Starts what can be started now.   returns how many
   int start();
 
@@ -74,6 +77,8 @@ class Manager {
   void add_unknown_attempts(const PointRow& point, int recorded_attempt, const Gathered& gathered);
   void note_end(const PointRow& point, const Recorded& recorded, const Gathered& gathered, const Verdict& verdict);
   void finish(const std::string& key);
+  void note_failure(const std::string& key, const std::string& reason);
+  void note_progress();
   void warn_of(const std::vector<std::string>& warnings);
   void cancel(const PointRow& point);
   void retry(const PointRow& point);

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "commands/manager.hpp"
+#include "commands/pause.hpp"
+#include "commands/planned_point.hpp"
 #include "executor/attempt.hpp"
 #include "executor/solver.hpp"
 #include "ingest/run_files.hpp"
@@ -15,6 +17,16 @@ namespace {
 /// A start needs room for the checkpoint being written aside, one more, and something for logs.
 constexpr std::int64_t checkpoints_of_room = 2;
 constexpr std::int64_t bytes_for_logs = 1 << 20;
+
+double MiB_in(const std::filesystem::path& directory) {
+  double bytes = 0;
+  std::error_code vanished;  // a living job replaces files meanwhile
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(directory, vanished)) {
+    const std::uintmax_t size = entry.is_regular_file(vanished) ? entry.file_size(vanished) : 0;
+    if (!vanished) bytes += static_cast<double>(size);
+  }
+  return bytes / (1 << 20);
+}
 
 }  // namespace
 
@@ -45,7 +57,10 @@ Capacity Manager::capacity(const Cores& free) const {
 }
 
 int Manager::start() {
-  if (is_paused()) return 0;
+  if (is_paused()) {
+    warn_of({pause_text(breaker_)});
+    return 0;
+  }
   Cores free = free_cores_now();
   const Capacity capacity = this->capacity(free);
   const int cores = static_cast<int>(allowed_.size());
@@ -76,6 +91,26 @@ int Manager::start() {
     if (is_paused()) break;
   }
   return started;
+}
+
+void Manager::check_room() {
+  double need_MiB = 0;
+  for (const PointRow& point : store_.points()) {
+    if (!point.in_study || is_final(point.state)) continue;
+    const std::filesystem::path run = run_directory(point.key);
+    try {
+      const PlannedPoint planned = planned_point(read_point(run / "point.json"), point.state, 0);
+      need_MiB += std::max(0.0, disk_MiB(planned) - MiB_in(run));
+    } catch (const Error& error) {
+      warn_of({name_of(point) + ": " + error.what()});
+    }
+  }
+  const double free_MiB = static_cast<double>(std::filesystem::space(directory_).available) / (1 << 20);
+  if (free_MiB >= need_MiB) return;
+  warn_of(
+      {fmt::format("{}: the disk has {:.0f} MiB free, the points left will need {:.0f} MiB. Make room meanwhile; "
+                   "nothing is lost when it is full, points wait then.",
+                   directory_.string(), free_MiB, need_MiB)});
 }
 
 bool Manager::has_room_for(const PointRow& point) {
@@ -115,6 +150,7 @@ bool Manager::start_point(const PointRow& point, const Cores& cores) {
   std::string trouble;
   try {
     if (!has_room_for(point)) return false;
+    require_run_file(run, read_point(run / "point.json"));
     Transaction intent = store_.begin();
     store_.put_attempt(attempt);
     const std::string evidence = fmt::format("attempt {} is started {}", attempt.number, how);
@@ -154,7 +190,7 @@ void Manager::record_failed_launch(const PointRow& point, AttemptRow attempt, co
   store_.set_retry(point.key, verdict.retries_used, verdict.retry_in_s > 0 ? now_unix_s() + verdict.retry_in_s : 0);
   store_.change_state(point.key, now.state, verdict.state, verdict.evidence, attempt.number);
   outcome.commit();
-  breaker_.note_failure(point.key, why);
+  note_failure(point.key, why);
   say_(fmt::format("{}: {} ({})", name_of(point), word_of(verdict.state), verdict.evidence));
 }
 

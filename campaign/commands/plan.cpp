@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "commands/calibrate.hpp"
+#include "commands/planned_point.hpp"
 #include "commands/print.hpp"
 #include "commands/verbs.hpp"
 #include "executor/cores.hpp"
@@ -108,26 +109,7 @@ Plan plan_of_campaign(const std::filesystem::path& directory) {
   return plan;
 }
 
-PlannedPoint planned(const Item& item) {
-  const auto number = [&](const char* name, double otherwise) {
-    const std::string* text = item.point.find(name);
-    return text == nullptr ? otherwise : parse_number(*text).value_or(otherwise);
-  };
-  const bool is_over = is_final(item.state);
-  PlannedPoint planned;
-  planned.steps_left = is_over ? 0 : std::max<std::int64_t>(0, item.point.facts.steps - item.steps_done);
-  planned.relative_cost_per_step = item.point.facts.relative_cost_per_step;
-  planned.checkpoint_bytes = item.point.facts.checkpoint_bytes;
-  planned.checkpoints_kept = static_cast<int>(number("output.checkpoints_kept", planned.checkpoints_kept));
-  planned.snapshot_bytes = item.point.facts.snapshot_bytes;
-  planned.samples = item.point.facts.samples;
-  for (const Parameter& parameter : item.point.parameters) {
-    if (parameter.name.starts_with("cell.") && parameter.name.ends_with(".shape") && parameter.name != "cell.shape") {
-      ++planned.cells;
-    }
-  }
-  return planned;
-}
+PlannedPoint planned(const Item& item) { return planned_point(item.point, item.state, item.steps_done); }
 
 int jobs_of(const Plan& plan) {
   const Execution& execution = plan.study.execution;

@@ -29,6 +29,7 @@ class Run {
     manager_.take_requests();
     manager_.reconcile(true);
     report_survivors();
+    manager_.check_room();
     while (mood_ != Mood::leaving) {
       if (mood_ == Mood::running) manager_.start();
       if (mood_ == Mood::running ? !manager_.has_work() : !has_jobs()) break;

@@ -6,6 +6,7 @@
 
 #include "commands/duration.hpp"
 #include "commands/evidence.hpp"
+#include "commands/pause.hpp"
 #include "commands/print.hpp"
 #include "commands/verbs.hpp"
 #include "ingest/run_files.hpp"
@@ -168,7 +169,10 @@ int status(const CommandLine& line) {
     table.rows.push_back(for_eyes ? short_row(s, now) : exact_row(s, now));
   }
   print(line, table);
-  if (!line.quiet) line.io.err << summary(store.campaign(), all) << '\n';
+  const CampaignRow campaign = store.campaign();
+  if (!line.quiet) line.io.err << summary(campaign, all) << '\n';
+  const Breaker breaker = kept_breaker(store, parse_study(campaign.study_text, line.directory / "study.ini"));
+  if (breaker.has_tripped()) line.io.err << pause_text(breaker) << '\n';
   const bool some_failed = std::any_of(all.begin(), all.end(), [](const PointStatus& s) {
     return s.point.state == State::failed || s.point.state == State::refused || s.point.state == State::exhausted;
   });

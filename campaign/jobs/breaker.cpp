@@ -2,7 +2,9 @@
 // Counting like failures.
 #include "jobs/breaker.hpp"
 
+#include <algorithm>
 #include <cctype>
+#include <sstream>
 
 namespace rouleau::campaign {
 
@@ -21,6 +23,22 @@ std::string without_numbers(const std::string& text) {
 }
 
 }  // namespace
+
+Breaker::Breaker(int limit, const std::string& kept) : limit_(limit) {
+  std::istringstream lines(kept);
+  std::string reason, point;
+  std::getline(lines, reason);
+  while (lines >> point) note_failure(point, reason);
+}
+
+std::string Breaker::text() const {
+  if (points_.empty()) return "";
+  std::string text = reason_;
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  text += '\n';
+  for (const std::string& point : points_) text += point + ' ';
+  return text;
+}
 
 void Breaker::note_failure(const std::string& point, const std::string& reason) {
   const std::string shape = without_numbers(reason);

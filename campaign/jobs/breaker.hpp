@@ -10,8 +10,11 @@ namespace rouleau::campaign {
 /// Counts different points in a row whose attempts ended without progress for the same reason.
 class Breaker {
  public:
-  /// Trips at `limit` points; 0 = never.
-  explicit Breaker(int limit) : limit_(limit) {}
+  /// Trips at `limit` points; 0 = never. `kept`: what `text` gave, so that passes of different processes count as one.
+  explicit Breaker(int limit, const std::string& kept = "");
+
+  /// The failures counted so far: the reason, a newline, the points.
+  [[nodiscard]] std::string text() const;
 
   /// An attempt of `point` ended badly without progress. Numbers in the reason (steps, places) do not make it another
   /// one.

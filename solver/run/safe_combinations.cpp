@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/safe_combinations.hpp"
 
+#include <fmt/format.h>
+
 namespace rouleau {
 
 // The time steps of the study are the paper's times 1, 2, 4 and 8, tau - 1/2 growing alike. At C = 100 the stiffness is
@@ -31,6 +33,23 @@ std::string choices_that_held(double stiffness) {
   add(KernelWidth::three_point, Advection::averaged, "kernel = 3-point with advection = averaged");
   add(KernelWidth::four_point, Advection::euler, "kernel = 4-point");
   return text;
+}
+
+std::string mesh_remedy(const RunParameters& parameters) {
+  const NumericsParameters& n = parameters.numerics;
+  const MembraneParameters& membrane = parameters.membrane;
+  std::string text;
+  const auto add = [&](bool is_lost_cause, const std::string& instead) {
+    if (is_lost_cause) text += (text.empty() ? "" : ", ") + instead;
+  };
+  add(n.fold_resistance == 0, "numerics.fold_resistance = 2");
+  add(n.mesh_mobility == 0, "numerics.mesh_mobility = 0.1");
+  add(n.kernel != KernelWidth::four_point && n.advection != Advection::averaged, "numerics.advection = averaged");
+  const double least = trial_runs(n.kernel, n.advection).least_area_ratio;
+  add(membrane.law == InPlaneLaw::skalak && membrane.area_ratio < least,
+      fmt::format("membrane.area_ratio = {} or more", least));
+  add(true, "a smaller numerics.time_step_us");
+  return "Try " + text;
 }
 
 }  // namespace rouleau

@@ -22,4 +22,8 @@ TrialRuns trial_runs(KernelWidth kernel, Advection advection);
 /// empty if none did.
 std::string choices_that_held(double stiffness);
 
+/// What to do about a mesh that folded, collapsed or lost its area: the choices of this run that trial runs were lost
+/// with, or a smaller time step.
+std::string mesh_remedy(const RunParameters& parameters);
+
 }  // namespace rouleau

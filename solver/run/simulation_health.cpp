@@ -6,6 +6,7 @@
 #include "fluid/flow_rate.hpp"
 #include "membrane/measures.hpp"
 #include "run/coupled_simulation.hpp"
+#include "run/safe_combinations.hpp"
 
 namespace rouleau {
 
@@ -41,17 +42,15 @@ void CoupledSimulation<Real>::check_flow() const {
 template <class Real>
 void CoupledSimulation<Real>::check_cells() {
   if (const auto fault = mesh_health_.find_fault(cells_))
-    fail(Exit::physics,
-         "cell {}, triangle {}: {}. Try a smaller time_step_us, the 4-point kernel, or a lower area_ratio", fault->cell,
-         fault->triangle, fault->what);
+    fail(Exit::physics, "cell {}, triangle {}: {}. {}", fault->cell, fault->triangle, fault->what,
+         mesh_remedy(setup_.run.parameters));
   const BoundsParameters& bounds = setup_.run.parameters.bounds;
   for (std::size_t c = 0; c < cells_.ranges.size(); ++c) {
     const double ratio = area(cells_, c) / cells_.ranges[c].area_0;
     if (!(ratio >= bounds.area_ratio_min && ratio <= bounds.area_ratio_max))
       fail(Exit::physics,
-           "cell {}: its area is {:.4f} of the area at rest, outside of [{}, {}] (bounds.area_ratio_min/max). "
-           "Try a smaller time_step_us or the 4-point kernel",
-           c, ratio, bounds.area_ratio_min, bounds.area_ratio_max);
+           "cell {}: its area is {:.4f} of the area at rest, outside of [{}, {}] (bounds.area_ratio_min/max). {}", c,
+           ratio, bounds.area_ratio_min, bounds.area_ratio_max, mesh_remedy(setup_.run.parameters));
   }
 }
 

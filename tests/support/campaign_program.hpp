@@ -114,17 +114,14 @@ class CampaignProgram {
 
   /// Living solvers of this campaign (by their working directory).
   [[nodiscard]] std::vector<pid_t> jobs() const {
-    std::vector<pid_t> found;
-    for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
-      const pid_t pid = std::atoi(entry.path().filename().c_str());
-      if (pid <= 0) continue;
-      std::error_code error;
-      const auto program = std::filesystem::read_symlink(entry.path() / "exe", error);
-      if (error || program != solver_) continue;
-      const auto directory = std::filesystem::read_symlink(entry.path() / "cwd", error);
-      if (!error && directory.string().starts_with(campaign().string())) found.push_back(pid);
-    }
-    return found;
+    return processes([&](const std::filesystem::path& program) { return program == solver_; });
+  }
+  /// Living mpiruns of this campaign.
+  [[nodiscard]] std::vector<pid_t> launchers() const {
+    return processes([](const std::filesystem::path& program) {
+      return program.filename() == "orterun" || program.filename() == "mpirun" ||
+             program.filename() == "mpirun.openmpi";
+    });
   }
 
   [[nodiscard]] Store store() const { return Store::open_reader(campaign() / "campaign.db"); }
@@ -140,6 +137,21 @@ class CampaignProgram {
   void script(int ordinal, const std::string& lines) const { set_content(run_directory(ordinal) / "fake", lines); }
 
  private:
+  [[nodiscard]] std::vector<pid_t> processes(
+      const std::function<bool(const std::filesystem::path& program)>& is_wanted) const {
+    std::vector<pid_t> found;
+    for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+      const pid_t pid = std::atoi(entry.path().filename().c_str());
+      if (pid <= 0) continue;
+      std::error_code error;
+      const auto program = std::filesystem::read_symlink(entry.path() / "exe", error);
+      if (error || !is_wanted(program)) continue;
+      const auto directory = std::filesystem::read_symlink(entry.path() / "cwd", error);
+      if (!error && directory.string().starts_with(campaign().string())) found.push_back(pid);
+    }
+    return found;
+  }
+
   std::string solver_;
   TemporaryDirectory place_;
 };

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// kill -9 of jobs and of `rouleau run` at random moments, then plain `rouleau run`: the database must not show it.
+// kill -9 of ranks, of mpirun and of `rouleau run` at random moments, then plain `rouleau run`: the database must not
+// show it. With SOAK set in the environment some hundred kills, and a line of figures for each test (share/soak.sh).
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <random>
 
 #include "support/campaign_program.hpp"
@@ -11,12 +14,15 @@ namespace {
 
 using rouleau::testing::CampaignProgram;
 using rouleau::testing::content_of;
+using rouleau::testing::eventually;
 
 /// Always the same, unless CRASH_SEED asks for other moments.
 unsigned seed() {
   const char* text = std::getenv("CRASH_SEED");
   return text == nullptr ? 20201U : static_cast<unsigned>(std::atoi(text));
 }
+
+bool is_soak() { return std::getenv("SOAK") != nullptr; }
 
 /// Everything a campaign came to, times and attempts aside.
 struct Outcome {
@@ -42,46 +48,62 @@ Outcome outcome_of(const CampaignProgram& program) {
   return outcome;
 }
 
-void make(const CampaignProgram& program) {
-  // 1000 steps a point, a checkpoint every 20: a job takes about half a second and meets several kills.
+void make(const CampaignProgram& program, int kills) {
+  // 1000 steps a point for 40 kills, a checkpoint every 20: a job takes about half a second and meets several of them.
   CampaignProgram::set_speed(400, 20);
   program.write_study("fluid.lambda = 1, 4:5.5:0.5, 8\nreplicas = 2",
-                      "[cell]\njitter_um = 0.1\n" + CampaignProgram::execution("retries = 1000\n"), "0.1");
+                      "[cell]\njitter_um = 0.1\n" + CampaignProgram::execution("retries = 1000\n"),
+                      fmt::format("{}", 0.0025 * kills));
   ASSERT_EQ(program.init().status, 0);
 }
 
-/// Kills the manager, a job, or (a machine that goes down) all at once.   returns whether there was anything to kill
+/// Kills the manager, a job (one of its ranks, or mpirun above them), or, as a machine that goes down, all at once.
+/// returns whether there was anything to kill
 bool kill_something(const CampaignProgram& program, pid_t& manager, std::mt19937& random) {
   const int victim = std::uniform_int_distribution<>(0, 9)(random);
-  const bool takes_manager = victim < 5;
-  const bool takes_jobs = victim >= 4;
+  const bool takes_manager = victim < 5, takes_all = victim == 4;
   bool has_killed = false;
   if (takes_manager && ::kill(manager, SIGKILL) == 0) {
     CampaignProgram::wait_for(manager);
     manager = 0;
     has_killed = true;
   }
-  if (takes_jobs) {
-    for (const pid_t job : program.jobs()) {
-      ::kill(job, SIGKILL);
-      has_killed = true;
-      if (victim != 4) break;
-    }
-  }
+  if (takes_manager && !takes_all) return has_killed;
+  const bool is_launcher = victim == 9;
+  std::vector<pid_t> jobs = is_launcher ? program.launchers() : program.jobs();
+  if (jobs.empty()) jobs = program.jobs();
+  std::shuffle(jobs.begin(), jobs.end(), random);
+  if (!takes_all && jobs.size() > 1) jobs.erase(jobs.begin() + 1, jobs.end());
+  for (const pid_t job : jobs) has_killed = ::kill(job, SIGKILL) == 0 || has_killed;
   return has_killed;
 }
 
 /// Three runs of a coarse cell, with a checkpoint at every look at the clock.
-std::string real_study() {
+std::string real_study(int ranks, int kills) {
   return "[study]\nname = real\n[sweep]\nfluid.lambda = 1, 5, 8\n"
          "[channel]\nlength_x_um = 16\nlength_y_um = 12\nlength_z_um = 10\n"
          "[flow]\nmean_velocity_mm_per_s = 1.5\ninitial = developed\n"
          "[cell]\nsubdivisions = 3\noffset_y_um = 0.5\n[membrane]\nbending_modulus_J = 1e-18\n"
          "[numerics]\nnode_spacing_um = 2/3\ntime_step_us = 1.25\ncorrection_interval = 50\n"
-         "[time]\nend_time_s = 0.01\n"
+         "[time]\nend_time_s = " +
+         fmt::format("{}", 0.00125 * kills) +
+         "\n"
          "[output]\nsample_interval_steps = 40\ncheckpoint_interval_min = 0.001\nprogress_interval_s = 0.5\n"
          "[analysis]\nwindow_s = 0.002\noscillation_window_s = 0.004\n" +
-         CampaignProgram::execution("retries = 1000\n");
+         CampaignProgram::execution(fmt::format("retries = 1000\nranks = {}\n", ranks));
+}
+
+/// A line for share/soak.sh: what the kills have cost.
+void report(const Outcome& expected, const Outcome& found, int kills) {
+  std::size_t lost_samples = 0, wrong_resumes = 0;
+  for (std::size_t i = 0; i < expected.points.size(); ++i) {
+    const std::size_t all = expected.samples[i].size(), kept = found.samples[i].size();
+    lost_samples += all > kept ? all - kept : 0;
+    wrong_resumes += found.logs[i] != expected.logs[i] ? 1 : 0;
+  }
+  // Nothing but `rouleau run` has been called, or the test had failed: no manual step.
+  fmt::print("{{\"kills\": {}, \"lost_samples\": {}, \"wrong_resumes\": {}, \"manual_steps\": 0}}\n", kills,
+             lost_samples, wrong_resumes);
 }
 
 /// Runs `disturbed` under random kills, then to its end; expects what `undisturbed` has.
@@ -111,10 +133,12 @@ void expect_no_trace(const CampaignProgram& undisturbed, const CampaignProgram& 
 
   const auto capture = disturbed.run();
   EXPECT_EQ(capture.status, 0) << capture.err;
-  EXPECT_TRUE(disturbed.jobs().empty()) << "a process is left over";
+  EXPECT_TRUE(eventually([&] { return disturbed.jobs().empty() && disturbed.launchers().empty(); }))
+      << "a process is left over";
   const Outcome expected = outcome_of(undisturbed);
   const Outcome found = outcome_of(disturbed);
   ASSERT_EQ(found.points.size(), expected.points.size());
+  if (is_soak()) report(expected, found, done);
   for (std::size_t i = 0; i < expected.points.size(); ++i) {
     EXPECT_EQ(found.points[i], expected.points[i]) << i;
     EXPECT_EQ(found.parameters[i], expected.parameters[i]) << i;
@@ -131,21 +155,33 @@ void expect_no_trace(const CampaignProgram& undisturbed, const CampaignProgram& 
 }
 
 TEST(CampaignCrash, RandomKillsLeaveNoTraceInTheDatabase) {
+  const int kills = is_soak() ? 160 : 40;
   const CampaignProgram undisturbed, disturbed;
-  make(undisturbed);
-  make(disturbed);
-  expect_no_trace(undisturbed, disturbed, 40);
+  make(undisturbed, kills);
+  make(disturbed, kills);
+  expect_no_trace(undisturbed, disturbed, kills);
 }
 
-TEST(CampaignCrash, RandomKillsOfRealSolversLeaveNoTraceInTheDatabase) {
+struct RealRuns {
+  int ranks, kills, kills_in_soak;
+};
+
+class RandomKills : public ::testing::TestWithParam<RealRuns> {};
+
+TEST_P(RandomKills, OfRealSolversLeaveNoTraceInTheDatabase) {
+  const int kills = is_soak() ? GetParam().kills_in_soak : GetParam().kills;
   const CampaignProgram undisturbed(REAL_SOLVER_PROGRAM), disturbed(REAL_SOLVER_PROGRAM);
   for (const CampaignProgram* program : {&undisturbed, &disturbed}) {
-    rouleau::testing::set_content(program->study(), real_study());
+    rouleau::testing::set_content(program->study(), real_study(GetParam().ranks, kills));
     const auto made = program->init();
     ASSERT_EQ(made.status, 0) << made.err;
   }
-  expect_no_trace(undisturbed, disturbed, 8);
+  expect_no_trace(undisturbed, disturbed, kills);
 }
+
+INSTANTIATE_TEST_SUITE_P(Ranks, RandomKills,
+                         ::testing::Values(RealRuns{1, 8, 60}, RealRuns{2, 2, 50}, RealRuns{3, 2, 50}),
+                         [](const auto& test) { return fmt::format("On{}", test.param.ranks); });
 
 }  // namespace
 }  // namespace rouleau::campaign

@@ -131,6 +131,25 @@ TEST(CampaignRun, LikeEarlyFailuresPauseTheCampaign) {
               HasSubstr("paused: 3 points in a row failed early and alike (exit 70: scripted end at step 3)"));
   EXPECT_EQ(program.state(3), State::failed);
   EXPECT_EQ(program.state(4), State::waiting);
+  EXPECT_THAT(program.rouleau({"status", "c"}).err, HasSubstr("paused: 3 points"));
+}
+
+TEST(CampaignRun, PauseOutlastsTheProcessUntilTheUserRetries) {
+  const CampaignProgram program;
+  program.write_study("fluid.lambda = 1:4:1", "[execution]\njobs = 1\npause_after_failures = 2\n");
+  ASSERT_EQ(program.init().status, 0);
+  for (int ordinal = 1; ordinal <= 2; ++ordinal) program.script(ordinal, "exit 65 1\n-\n");
+  // A pass of cron each: one failure a process.
+  for (int ordinal = 1; ordinal <= 2; ++ordinal) {
+    ASSERT_LE(program.rouleau({"sync", "c"}).status, 4);
+    ASSERT_TRUE(eventually([&] { return program.jobs().empty(); }));
+  }
+  EXPECT_THAT(program.rouleau({"sync", "c"}).err, HasSubstr("paused: 2 points in a row"));
+  EXPECT_EQ(program.run().status, 4);
+  EXPECT_EQ(program.state(3), State::waiting);
+  ASSERT_EQ(program.rouleau({"retry", "--all-failed", "-C", "c"}).status, 0);
+  EXPECT_EQ(program.run().status, 0);
+  EXPECT_EQ(program.state(4), State::done);
 }
 
 TEST(CampaignRun, JobsAtATimeHaveDifferentCores) {

@@ -98,6 +98,19 @@ TEST_F(SignalToRun, SecondManagerIsRefusedAndToldWhoHasTheLock) {
   CampaignProgram::wait_for(run_);
 }
 
+TEST_F(SignalToRun, FrozenManagerIsNotRobbedAndReadersDoNotWaitForIt) {
+  ::kill(run_, SIGSTOP);
+  EXPECT_EQ(program_.run().status, 5);
+  EXPECT_EQ(program_.rouleau({"sync", "c"}).status, 5);
+  EXPECT_EQ(program_.rouleau({"status", "c"}).status, 0);
+  EXPECT_EQ(program_.rouleau({"why", "#1", "-C", "c"}).status, 0);
+  EXPECT_EQ(program_.jobs().size(), 2U) << "nobody has touched its jobs";
+  ::kill(run_, SIGCONT);
+  ::kill(run_, SIGINT);
+  EXPECT_EQ(CampaignProgram::wait_for(run_), 130);
+  finish();
+}
+
 TEST(SignalToMpirun, ReachesTheSolverBehindIt) {
   ::setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
   ::setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);

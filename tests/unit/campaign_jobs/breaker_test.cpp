@@ -35,6 +35,19 @@ TEST(CampaignBreaker, AnotherReasonOrProgressBeginsAnew) {
   EXPECT_TRUE(breaker.has_tripped());
 }
 
+TEST(CampaignBreaker, GoesOnFromWhatWasKept) {
+  Breaker first(3);
+  first.note_failure("a", "step 1:\nnot finite");
+  first.note_failure("b", "step 2:\nnot finite");
+  Breaker next(3, first.text());
+  EXPECT_EQ(next.count(), 2);
+  next.note_failure("c", "step 3: not finite");
+  EXPECT_TRUE(next.has_tripped());
+  EXPECT_TRUE(Breaker(3, next.text()).has_tripped());
+  next.note_progress();
+  EXPECT_EQ(Breaker(3, next.text()).count(), 0);
+}
+
 TEST(CampaignBreaker, ZeroTurnsItOff) {
   Breaker breaker(0);
   breaker.note_failure("a", "x");
