@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <xxhash.h>
 
+#include <array>
 #include <sstream>
 
 #include "restart/small_run.hpp"
@@ -174,6 +175,30 @@ TEST(Section6, UnwritableDirectoryIs74) {
   set_content(run.path("checkpoints"), "a file where the folder should be");
   const Finished finished = run.run();
   EXPECT_EQ(finished.code, 74) << finished.err;
+}
+
+TEST(Section6, FailedPhysicsIs70AndSaysWhenWhereAndWhatIsLeft) {
+  const SmallRun undisturbed;
+  undisturbed.finish();
+  for (const auto& [bound, limit, relaxed, word] :
+       {std::array{"bounds.area_ratio_min", "1", "0.7", "cell 0: its area is"},
+        std::array{"bounds.inside_ratio_max", "1", "1.3", "the flagged nodes fill"}}) {
+    SmallRun run;
+    run.set_steps(20);
+    ASSERT_EQ(run.run().code, 0);
+    run.set_steps(40);
+    run.set(bound, limit);
+    const Finished finished = run.run();
+    EXPECT_EQ(finished.code, 70) << finished.err;
+    const std::string reason = run.exit_record().at("reason");
+    for (const std::string part : {"step 30: ", word, "Try ", "last good checkpoint: checkpoints/000000000020.h5"})
+      EXPECT_NE(reason.find(part), std::string::npos) << part << " is not in: " << reason;
+    EXPECT_FALSE(std::filesystem::exists(run.path("checkpoints/000000000040.h5")));
+    // A bound is free: relaxed again, the run goes on as if it had never been there.
+    run.set(bound, relaxed);
+    ASSERT_EQ(run.run().code, 0);
+    EXPECT_EQ(run.samples(), undisturbed.samples());
+  }
 }
 
 TEST(Section8, OlderAttemptStopsWith76AndWritesNothing) {

@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Runs every test under AddressSanitizer, LeakSanitizer and UBSan, in a build of its own. Further arguments go to ctest.
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+
+cmake -S . -B build/sanitize -DCMAKE_BUILD_TYPE=RelWithDebInfo -DROULEAU_SANITIZE=ON > /dev/null
+cmake --build build/sanitize --parallel "$(nproc)"
+# What Open MPI, PMIx and HDF5 keep until the end of the process is theirs. Preloaded libraries come before ASan's.
+export ASAN_OPTIONS=verify_asan_link_order=0:detect_stack_use_after_return=1
+export LSAN_OPTIONS=suppressions=$PWD/tests/support/leaks_of_others.txt:print_suppressions=0
+export UBSAN_OPTIONS=print_stacktrace=1
+cd build/sanitize
+exec ctest --output-on-failure --parallel "$(nproc)" --timeout 1800 "$@"
