@@ -6,7 +6,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 packages=(g++ cmake make git pkg-config ca-certificates
   libopenmpi-dev openmpi-bin libhdf5-openmpi-dev libeigen3-dev libboost-program-options-dev libsqlite3-dev
-  libgtest-dev libgmock-dev libfmt-dev nlohmann-json3-dev libxxhash-dev)
+  libgtest-dev libgmock-dev libfmt-dev nlohmann-json3-dev libxxhash-dev "${more_packages[@]}")
 
 missing=()
 for package in "${packages[@]}"; do

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Faults on purpose, the long form: kills, failing calls, damage, hostile input. Figures on stdout and in build/soak.json.
-#   share/soak.sh        about an hour on two cores; ends with 1 if anything was lost
+#   share/soak.sh        some hours on two cores; ends with 1 if anything was lost
 # Each part prints a line of figures, {"kills": 160, ...}; the same figure of several parts is added up.
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
@@ -18,6 +18,12 @@ part() {
   grep '^{"' build/soak.part | tee -a "$figures" >&2 || true
 }
 part 'random kills' build/tests/crash/campaign/campaign_crash_test
+for test in solver_faults_test campaign_faults_test fencing_test power_loss_test disk_full_test; do
+  part "$test" "build/tests/crash/faults/$test"
+done
+part 'damage to a run' build/tests/crash/damage/damage_solver_test
+part 'damage to a campaign' build/tests/crash/damage/damage_campaign_test
+part 'hostile input' share/fuzz.sh
 
 {
   echo '{'

@@ -31,17 +31,19 @@ void store_named_files(const std::filesystem::path& directory, const NamedFiles&
   for (const auto& [text, file] : files) {
     const std::filesystem::path target = directory / file.stored;
     if (std::filesystem::exists(target)) continue;
-    std::filesystem::create_directories(target.parent_path());
+    make_directories(target.parent_path());
     write_whole_file(target, read_whole_file(file.source).value());
   }
 }
 
 void write_point_files(const std::filesystem::path& directory, const Candidate& candidate) {
   const std::filesystem::path run = point_directory(directory, candidate.point.key);
-  std::filesystem::create_directories(run);
+  make_directories(run);
   // Left alone when nothing changed: a running solver's file should not move under it.
   if (read_whole_file(run / "run.ini") != candidate.run_file) write_whole_file(run / "run.ini", candidate.run_file);
-  write_point(run / "point.json", candidate.point);
+  Point point = candidate.point;
+  point.run_file_digest = digest_of(candidate.run_file);
+  write_point(run / "point.json", point);
 }
 
 std::string free_parameters_text(const KeptPoint& point) {

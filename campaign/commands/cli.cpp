@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <boost/program_options.hpp>
+#include <filesystem>
 #include <ostream>
 
 #include "commands/version.hpp"
@@ -173,6 +174,10 @@ int run_command_line(std::span<const Verb* const> verbs, const std::vector<std::
   } catch (const Error& error) {
     io.err << error.what() << std::endl;
     return static_cast<int>(error.code());
+  } catch (const std::filesystem::filesystem_error& error) {
+    io.err << error.path1().string() << ": " << error.code().message()
+           << ". See that the disk is sound, has room and is yours to write; then do the same again." << std::endl;
+    return static_cast<int>(Exit::failed);
   } catch (const std::exception& error) {
     io.err << "rouleau: " << error.what() << std::endl;
     return static_cast<int>(Exit::failed);

@@ -7,6 +7,7 @@
 #include "commands/verbs.hpp"
 #include "executor/lock.hpp"
 #include "executor/solver.hpp"
+#include "study/whole_file.hpp"
 
 namespace rouleau::campaign {
 
@@ -61,7 +62,7 @@ int init(const CommandLine& line) {
   };
   for (const std::string& note : expansion.notes) say("note: " + note);
 
-  std::filesystem::create_directories(directory);
+  make_directories(directory);
   const CampaignLock lock(directory, "init");
   const Merge merged = merge(existing_points(directory, expansion), expansion);
   if (!merged.dropped.empty()) {

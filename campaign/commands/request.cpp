@@ -9,7 +9,7 @@
 namespace rouleau::campaign {
 
 void leave_request(const std::filesystem::path& campaign, Wish wish, const std::string& key) {
-  std::filesystem::create_directories(campaign / "requests");
+  make_directories(campaign / "requests");
   write_whole_file(campaign / "requests" / key, wish == Wish::cancel ? "cancel\n" : "retry\n");
 }
 

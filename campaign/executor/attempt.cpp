@@ -27,7 +27,7 @@ std::filesystem::path attempt_directory(const std::filesystem::path& run_directo
 }
 
 void claim_attempt(const std::filesystem::path& run_directory, int number, const std::string& token) {
-  std::filesystem::create_directories(run_directory / "attempts");
+  make_directories(run_directory / "attempts");
   const std::filesystem::path attempt = attempt_directory(run_directory, number);
   if (::mkdir(attempt.c_str(), 0777) != 0) {
     fail(Exit::failed, "{}: cannot make the attempt: {}. Somebody else may have started this point; run again to see.",

@@ -46,8 +46,8 @@ CampaignLock::CampaignLock(const std::filesystem::path& directory, const std::st
   const std::filesystem::path file = directory / ".lock";
   fd_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (fd_ < 0) {
-    fail(Exit::failed, "{}: cannot open the lock: {}. Check the directory's permissions.", file.string(),
-         std::strerror(errno));
+    fail(Exit::failed, "{}: cannot open the lock: {}. Check the directory's permissions and the disk's free space.",
+         file.string(), std::strerror(errno));
   }
   if (!try_lock(fd_)) {
     const std::string holder = content_of(fd_);

@@ -8,8 +8,9 @@
 #include <climits>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <sstream>
+
+#include "study/record.hpp"
 
 namespace rouleau::campaign {
 
@@ -60,7 +61,7 @@ std::string process_json(const ProcessIdentity& process, int ranks, std::int64_t
                                        {"ranks", ranks},
                                        {"checkpoint_step", checkpoint_step},
                                        {"started_unix_s", std::chrono::duration<double>(now).count()}};
-  return json.dump() + "\n";
+  return record_text(json);
 }
 
 }  // namespace rouleau::campaign

@@ -6,11 +6,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <climits>
 #include <cmath>
 #include <functional>
-#include <nlohmann/json.hpp>
 
 #include "study/error.hpp"
+#include "study/record.hpp"
 #include "study/whole_file.hpp"
 
 namespace rouleau::campaign {
@@ -18,12 +19,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A field that may be missing or null; of another type it is damage (the caller catches Json's exception).
+/// A field that may be missing or null; of another type it is damage.
 template <class T>
 std::optional<T> field(const Json& json, const char* name) {
   const auto found = json.find(name);
   if (found == json.end() || found->is_null()) return std::nullopt;
-  return found->get<T>();
+  return strictly<T>(*found);
 }
 
 std::string text_field(const Json& json, const char* name) { return field<std::string>(json, name).value_or(""); }
@@ -33,11 +34,9 @@ template <class File>
 std::optional<File> read_json(const std::filesystem::path& file, std::vector<std::string>& warnings,
                               const std::function<File(const Json&)>& take) {
   try {
-    const std::optional<std::string> text = read_whole_file(file);
+    const std::optional<std::string> text = read_whole_file(file, largest_record);
     if (!text) return std::nullopt;
-    return take(Json::parse(*text));
-  } catch (const Json::exception& error) {
-    warnings.push_back(fmt::format("{}: is damaged and left aside ({})", file.string(), error.what()));
+    return read_record(*text, file, " and left aside", take);
   } catch (const Error& error) {
     warnings.push_back(error.what());
   }
@@ -66,10 +65,10 @@ std::vector<std::filesystem::directory_entry> entries_of(const std::filesystem::
 std::optional<ProcessFile> read_process_file(const std::filesystem::path& file, std::vector<std::string>& warnings) {
   return read_json<ProcessFile>(file, warnings, [](const Json& json) {
     ProcessFile process;
-    process.host = json.at("host").get<std::string>();
-    process.boot_id = json.at("boot_id").get<std::string>();
-    process.pid = json.at("pid").get<std::int64_t>();
-    process.start_ticks = json.at("start_ticks").get<std::int64_t>();
+    process.host = strictly<std::string>(json.at("host"));
+    process.boot_id = strictly<std::string>(json.at("boot_id"));
+    process.pid = strictly<std::int64_t>(json.at("pid"));
+    process.start_ticks = strictly<std::int64_t>(json.at("start_ticks"));
     process.ranks = field<int>(json, "ranks").value_or(0);
     process.checkpoint_step = field<std::int64_t>(json, "checkpoint_step");
     process.started_unix_s = field<double>(json, "started_unix_s");
@@ -80,7 +79,7 @@ std::optional<ProcessFile> read_process_file(const std::filesystem::path& file, 
 std::optional<ExitFile> read_exit_file(const std::filesystem::path& file, std::vector<std::string>& warnings) {
   return read_json<ExitFile>(file, warnings, [](const Json& json) {
     ExitFile record;
-    record.code = json.at("code").get<int>();
+    record.code = strictly<int>(json.at("code"));
     record.reason = text_field(json, "reason");
     record.host = text_field(json, "host");
     record.resumed_from = text_field(json, "resumed_from");
@@ -102,8 +101,8 @@ std::optional<ProgressFile> read_progress_file(const std::filesystem::path& file
   return read_json<ProgressFile>(file, warnings, [](const Json& json) {
     ProgressFile progress;
     progress.attempt = field<int>(json, "attempt").value_or(0);
-    progress.step = json.at("step").get<std::int64_t>();
-    progress.end_step = json.at("end_step").get<std::int64_t>();
+    progress.step = strictly<std::int64_t>(json.at("step"));
+    progress.end_step = strictly<std::int64_t>(json.at("end_step"));
     progress.time_s = field<double>(json, "time_s").value_or(0);
     progress.end_time_s = field<double>(json, "end_time_s").value_or(0);
     progress.checkpoint_step = field<std::int64_t>(json, "checkpoint_step");
@@ -129,7 +128,9 @@ std::vector<int> attempt_numbers(const std::filesystem::path& run_directory) {
   std::vector<int> numbers;
   for (const auto& entry : entries_of(run_directory / "attempts")) {
     const std::optional<std::int64_t> number = whole_number(entry.path().filename().string());
-    if (number && *number >= 1 && entry.is_directory()) numbers.push_back(static_cast<int>(*number));
+    std::error_code vanished;
+    if (number && *number >= 1 && *number <= INT_MAX && entry.is_directory(vanished))
+      numbers.push_back(static_cast<int>(*number));
   }
   std::sort(numbers.begin(), numbers.end());
   return numbers;

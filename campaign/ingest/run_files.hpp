@@ -18,6 +18,8 @@ struct ProcessFile {
   int ranks = 0;
   std::optional<std::int64_t> checkpoint_step;  ///< process.json: newest checkpoint before the start; -1 = none
   std::optional<double> started_unix_s;         ///< process.json
+
+  friend bool operator==(const ProcessFile&, const ProcessFile&) = default;
 };
 
 /// exit.json.
@@ -27,6 +29,8 @@ struct ExitFile {
   std::optional<std::int64_t> start_step, step, end_step;
   std::optional<double> wall_s, core_s, mlups, finished_unix_s;
   std::optional<int> ranks;
+
+  friend bool operator==(const ExitFile&, const ExitFile&) = default;
 };
 
 /// progress.json.
@@ -36,6 +40,8 @@ struct ProgressFile {
   double time_s = 0, end_time_s = 0;
   std::optional<std::int64_t> checkpoint_step;
   std::optional<double> steps_per_s, mlups, eta_s, checkpoint_unix_s, checkpoint_ms, d_um, asphericity, updated_unix_s;
+
+  friend bool operator==(const ProgressFile&, const ProgressFile&) = default;
 };
 
 /// Each returns nothing when the file is not there, and nothing plus a line in `warnings` when it is damaged.

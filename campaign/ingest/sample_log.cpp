@@ -143,8 +143,20 @@ std::string bytes_of(std::ifstream& in, std::int64_t begin, std::int64_t end) {
   return bytes;
 }
 
-std::string tail_hash_of(std::ifstream& in, std::int64_t offset) {
-  return digest_of(bytes_of(in, std::max<std::int64_t>(0, offset - tail_bytes), offset));
+std::string tail_of(std::ifstream& in, std::int64_t offset) {
+  return bytes_of(in, std::max<std::int64_t>(0, offset - tail_bytes), offset);
+}
+std::string tail_hash_of(std::ifstream& in, std::int64_t offset) { return digest_of(tail_of(in, offset)); }
+
+using StepAndCell = std::pair<std::int64_t, int>;
+
+/// Of the last line before `offset`; below all others if that is the header.
+StepAndCell last_before(std::ifstream& in, std::int64_t offset, const std::string& header, const Columns& columns) {
+  if (offset <= static_cast<std::int64_t>(header.size()) + 1) return {-1, -1};
+  std::string tail = tail_of(in, offset);
+  if (!tail.empty()) tail.pop_back();
+  const SampleRow row = columns.row_of(std::string_view(tail).substr(tail.rfind('\n') + 1));
+  return {row.step, row.cell};
 }
 
 }  // namespace
@@ -152,6 +164,11 @@ std::string tail_hash_of(std::ifstream& in, std::int64_t offset) {
 LogPart read_sample_log(const std::filesystem::path& file, const SampleMark& mark) {
   LogPart part;
   part.from_start = true;
+  std::error_code error;
+  if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error)) {
+    part.warnings.push_back(fmt::format("{}: is not a regular file; it was not read", file.string()));
+    return part;
+  }
   std::ifstream in(file, std::ios::binary);
   if (!in) {
     if (std::filesystem::exists(file))
@@ -187,14 +204,15 @@ LogPart read_sample_log(const std::filesystem::path& file, const SampleMark& mar
     const Columns columns(header);
     offset = part.from_start ? static_cast<std::int64_t>(header.size()) + 1 : mark.offset;
     line_number = part.from_start ? 2 : 1;
+    StepAndCell last = last_before(in, offset, header, columns);
     const std::string bytes = bytes_of(in, offset, std::max(size, offset));
     std::string_view rest = bytes;
     for (std::size_t end; (end = rest.find('\n')) != std::string_view::npos; ++line_number) {
       const SampleRow row = columns.row_of(rest.substr(0, end));
-      if (!part.rows.empty() &&
-          std::pair(row.step, row.cell) <= std::pair(part.rows.back().step, part.rows.back().cell))
-        throw Damage(fmt::format("step {}, cell {} comes behind step {}, cell {}", row.step, row.cell,
-                                 part.rows.back().step, part.rows.back().cell));
+      if (StepAndCell(row.step, row.cell) <= last)
+        throw Damage(
+            fmt::format("step {}, cell {} comes behind step {}, cell {}", row.step, row.cell, last.first, last.second));
+      last = {row.step, row.cell};
       part.rows.push_back(row);
       rest.remove_prefix(end + 1);
       offset += static_cast<std::int64_t>(end) + 1;

@@ -73,9 +73,13 @@ class PointCheck {
     const std::filesystem::path file = directory_ / "point.json";
     try {
       const Point point = read_point(file);
-      if (point.key != stored_.point.key || point.ordinal != stored_.point.ordinal ||
-          parameter_rows_of(point) != stored_.parameters)
+      PointRow row = row_of(point);
+      row.state = stored_.point.state;  // what the database alone knows
+      row.retries_used = stored_.point.retries_used;
+      row.retry_at_unix_s = stored_.point.retry_at_unix_s;
+      if (!(row == stored_.point) || parameter_rows_of(point) != stored_.parameters)
         damage(file, "it describes another point than the database; `rouleau init STUDY DIR` writes both anew");
+      require_run_file(directory_, point);
     } catch (const Error& error) {
       damage(file, error.what());
     }
@@ -170,6 +174,8 @@ std::vector<Finding> verify_database(const Store& reader, const std::filesystem:
     findings.push_back({"", file, true,
                         fmt::format("a row of `{}` belongs to no point; `rouleau rebuild` makes it anew",
                                     std::get<std::string>(row[0]))});
+  if (const CampaignRow campaign = reader.campaign(); digest_of(campaign.study_text) != campaign.study_digest)
+    findings.push_back({"", file, true, "its copy of the study is damaged; `rouleau rebuild` makes it anew"});
   std::error_code error;
   for (std::filesystem::directory_iterator it(campaign_directory / "points", error), end; !error && it != end;
        it.increment(error)) {

@@ -30,10 +30,13 @@ constexpr int writer_wait_ms = 10000;
     case SQLITE_FULL:
       advice = "the disk is full; make room and try again";
       break;
+    case SQLITE_IOERR:  // a quota that is used up is one of these
+      advice = "see that the disk is sound and that it and your quota have room, then try again";
+      break;
     case SQLITE_READONLY:
     case SQLITE_CANTOPEN:
     case SQLITE_PERM:
-      advice = "see that the file and its directory exist and are yours to write";
+      advice = "see that the file and its directory exist and are yours to write, and that the disk has room";
       break;
     default:
       break;

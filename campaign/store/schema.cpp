@@ -55,7 +55,7 @@ DELETE FROM sample;
 UPDATE point SET log_offset = 0, log_tail_hash = '';
 )sql";
 
-constexpr std::array<Migration, 1> all_migrations = {{{1, from_1_to_2}}};
+const std::array<Migration, 1> all_migrations = {{{1, from_1_to_2}}};
 
 }  // namespace
 

@@ -63,7 +63,9 @@ Expansion expand(const Study& study, const Checker& check) {
   Expansion expansion;
   expansion.files = find_named_files(study);
   std::map<std::string, std::string> title_of_identity;
-  for (const Combination& combination : combinations(study)) {
+  const auto count = static_cast<std::size_t>(count_of(study));
+  for (std::size_t index = 0; index < count; ++index) {
+    const Combination combination = combination_of(study, index);
     const std::string title = title_of(study, combination);
     const RunFile candidate = run_file_of(combination, expansion.files, FileNames::source, title);
     CheckOutcome outcome = check(candidate.text);

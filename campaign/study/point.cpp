@@ -3,9 +3,9 @@
 #include "study/point.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "study/error.hpp"
+#include "study/record.hpp"
 #include "study/whole_file.hpp"
 
 namespace rouleau::campaign {
@@ -33,6 +33,7 @@ Json to_json(const Point& point) {
           {"in_study", point.in_study},
           {"cancelled", point.cancelled},
           {"retried_after", point.retried_after},
+          {"run_file", point.run_file_digest},
           {"swept", point.swept},
           {"steps", facts.steps},
           {"time_step_us", facts.time_step_us},
@@ -45,26 +46,33 @@ Json to_json(const Point& point) {
           {"parameters", parameters}};
 }
 
-Point from_json(const Json& json) {
+template <class T>
+void take(const nlohmann::json& json, const char* name, T& value) {
+  value = strictly<T>(json.at(name));
+}
+
+Point from_json(const nlohmann::json& json) {
   Point point;
-  json.at("key").get_to(point.key);
-  json.at("identity").get_to(point.identity);
-  json.at("ordinal").get_to(point.ordinal);
-  json.at("replica").get_to(point.replica);
-  json.at("in_study").get_to(point.in_study);
-  json.at("cancelled").get_to(point.cancelled);
-  json.at("retried_after").get_to(point.retried_after);
-  json.at("swept").get_to(point.swept);
+  take(json, "key", point.key);
+  take(json, "identity", point.identity);
+  if (point.key.empty() || !is_hex(point.key)) throw Damage("its key is not of hex digits");
+  take(json, "ordinal", point.ordinal);
+  take(json, "replica", point.replica);
+  take(json, "in_study", point.in_study);
+  take(json, "cancelled", point.cancelled);
+  take(json, "retried_after", point.retried_after);
+  if (json.contains("run_file")) take(json, "run_file", point.run_file_digest);  // older ones have none
+  take(json, "swept", point.swept);
   RunFacts& facts = point.facts;
-  json.at("steps").get_to(facts.steps);
-  json.at("time_step_us").get_to(facts.time_step_us);
-  json.at("end_time_s").get_to(facts.end_time_s);
-  json.at("nodes").get_to(facts.nodes);
-  json.at("samples").get_to(facts.samples);
-  json.at("checkpoint_bytes").get_to(facts.checkpoint_bytes);
-  json.at("snapshot_bytes").get_to(facts.snapshot_bytes);
-  json.at("relative_cost_per_step").get_to(facts.relative_cost_per_step);
-  for (const Json& entry : json.at("parameters")) {
+  take(json, "steps", facts.steps);
+  take(json, "time_step_us", facts.time_step_us);
+  take(json, "end_time_s", facts.end_time_s);
+  take(json, "nodes", facts.nodes);
+  take(json, "samples", facts.samples);
+  take(json, "checkpoint_bytes", facts.checkpoint_bytes);
+  take(json, "snapshot_bytes", facts.snapshot_bytes);
+  take(json, "relative_cost_per_step", facts.relative_cost_per_step);
+  for (const nlohmann::json& entry : json.at("parameters")) {
     point.parameters.push_back(
         {entry.at("name"), entry.at("value"), entry.at("kind") == "identity", entry.at("given")});
   }
@@ -88,17 +96,27 @@ std::string Point::label() const {
 }
 
 Point read_point(const std::filesystem::path& file) {
-  const std::optional<std::string> text = read_whole_file(file);
+  const std::optional<std::string> text = read_whole_file(file, largest_record);
   if (!text) fail(Exit::damaged, "{}: is missing. `rouleau init STUDY DIR` writes it anew.", file.string());
-  try {
-    return from_json(Json::parse(*text));
-  } catch (const Json::exception& error) {
-    fail(Exit::damaged, "{}: is damaged ({}). `rouleau init STUDY DIR` writes it anew.", file.string(), error.what());
-  }
+  return read_record(*text, file, ". `rouleau init STUDY DIR` writes it anew.", from_json);
+}
+
+bool is_hex(const std::string& text) { return text.find_first_not_of("0123456789abcdef") == std::string::npos; }
+
+void require_run_file(const std::filesystem::path& run_directory, const Point& point) {
+  const std::filesystem::path file = run_directory / "run.ini";
+  if (point.run_file_digest.empty()) return;
+  const std::string digest = digest_of(read_whole_file(file).value_or(""));
+  if (digest == point.run_file_digest) return;
+  fail(Exit::damaged,
+       "{}: is not the file that `rouleau init` wrote: its digest is {}, point.json has {}. It is damaged or was "
+       "edited; "
+       "`rouleau init STUDY DIR` writes it anew.",
+       file.string(), digest, point.run_file_digest);
 }
 
 void write_point(const std::filesystem::path& file, const Point& point) {
-  write_whole_file(file, to_json(point).dump(2) + "\n");
+  write_whole_file(file, record_text(to_json(point)));
 }
 
 std::filesystem::path point_directory(const std::filesystem::path& campaign, const std::string& key) {

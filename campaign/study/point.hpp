@@ -15,6 +15,8 @@ struct Parameter {
   std::string value;        ///< canonical text: 4.75 and 4.750 are both "4.75"
   bool is_identity = true;  ///< defines the point; false: free (end time, intervals, output)
   bool is_given = false;    ///< the study file names it; false: the solver's default
+
+  friend bool operator==(const Parameter&, const Parameter&) = default;
 };
 
 /// What the solver says a run will be; all of one point.
@@ -27,6 +29,8 @@ struct RunFacts {
   std::int64_t checkpoint_bytes = 0;
   std::int64_t snapshot_bytes = 0;
   double relative_cost_per_step = 0;  ///< comparable between points, of no unit
+
+  friend bool operator==(const RunFacts&, const RunFacts&) = default;
 };
 
 /// One point, complete enough to run it and to rebuild the database from its directory.
@@ -38,6 +42,7 @@ struct Point {
   bool in_study = true;  ///< still named by the study file
   bool cancelled = false;
   int retried_after = 0;              ///< the newest attempt when the user last asked for a retry; 0 = never
+  std::string run_file_digest;        ///< of run.ini as written by `init`; empty: written before this was kept
   std::vector<std::string> swept;     ///< names of the axes, in the study file's order
   std::vector<Parameter> parameters;  ///< all effective run parameters
   RunFacts facts;
@@ -46,10 +51,18 @@ struct Point {
   [[nodiscard]] const std::string* find(const std::string& name) const;
   /// "fluid.lambda = 5, cell.replica = 2": the swept parameters, or the key when nothing is swept.
   [[nodiscard]] std::string label() const;
+
+  friend bool operator==(const Point&, const Point&) = default;
 };
 
 /// Reads points/<key>/point.json.   throws Error (damaged) naming the file
 [[nodiscard]] Point read_point(const std::filesystem::path& file);
+
+/// Whether it is nothing but lower-case hex digits: what keys and identities, and so directories' names, are made of.
+[[nodiscard]] bool is_hex(const std::string& text);
+
+/// Throws Error (damaged) if the run file beside point.json is not the one that was written with it.
+void require_run_file(const std::filesystem::path& run_directory, const Point& point);
 
 /// Writes points/<key>/point.json: aside, synced, renamed.
 void write_point(const std::filesystem::path& file, const Point& point);

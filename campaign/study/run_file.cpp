@@ -3,7 +3,7 @@
 #include "study/run_file.hpp"
 
 #include <algorithm>
-#include <regex>
+#include <charconv>
 #include <sstream>
 
 #include "study/error.hpp"
@@ -80,18 +80,26 @@ RunFile run_file_of(const Combination& combination, const NamedFiles& files, Fil
 }
 
 std::string to_study_lines(const std::string& message, const RunFile& run_file, const std::string& study_name) {
-  static const std::regex place(R"((?:\S*/)?run\.ini(?::(\d+))?(?=:))");
+  const std::string name = "run.ini";
   std::string result;
-  auto rest = message.cbegin();
-  for (std::sregex_iterator match(message.begin(), message.end(), place), end; match != end; ++match) {
-    result.append(rest, (*match)[0].first);
-    const std::size_t line = (*match)[1].matched ? std::stoul((*match)[1].str()) : 0;
-    const int study_line = line >= 1 && line <= run_file.study_lines.size() ? run_file.study_lines[line - 1] : 0;
+  std::size_t done = 0;  // of the message
+  for (std::size_t at = message.find(name); at != std::string::npos; at = message.find(name, at + 1)) {
+    std::size_t end = at + name.size();
+    if (end >= message.size() || message[end] != ':') continue;
+    std::size_t line = 0;
+    const auto [digits_end, error] = std::from_chars(message.data() + end + 1, message.data() + message.size(), line);
+    const bool has_line = error == std::errc() && digits_end != message.data() + message.size() && *digits_end == ':';
+    if (has_line) end = static_cast<std::size_t>(digits_end - message.data());
+    const int study_line =
+        has_line && line >= 1 && line <= run_file.study_lines.size() ? run_file.study_lines[line - 1] : 0;
+
+    const bool has_folder = at > done && message[at - 1] == '/';
+    const std::size_t begin = has_folder ? std::max(done, message.find_last_of(" \t\n", at) + 1) : at;
+    result.append(message, done, begin - done);
     result += study_line > 0 ? study_name + ':' + std::to_string(study_line) : study_name;
-    rest = (*match)[0].second;
+    done = end;
   }
-  result.append(rest, message.cend());
-  return result;
+  return result.append(message, done);
 }
 
 std::string with_stored_files(const Study& study, const NamedFiles& files) {

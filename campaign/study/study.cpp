@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 
 #include "study/error.hpp"
 #include "study/ini.hpp"
@@ -17,6 +18,8 @@ namespace rouleau::campaign {
 
 namespace {
 
+constexpr std::size_t largest_study = std::size_t{1} << 20;  // bytes, as of a run file
+constexpr std::size_t longest_name = 100;
 const std::vector<std::string> own_sections = {"study", "sweep", "execution", "analysis"};
 const std::vector<std::string> engines = {"local"};
 
@@ -60,6 +63,8 @@ class Reader {
       fail_at(entry.line, "name = {} holds more than letters, digits, `_`, `-` and `.`. Choose a plain name.",
               entry.value);
     }
+    if (entry.value.size() > longest_name)
+      fail_at(entry.line, "the name has {} letters; at most {} are taken.", entry.value.size(), longest_name);
     study_.name = entry.value;
   }
 
@@ -159,12 +164,12 @@ class Reader {
     for (const Axis& axis : study_.axes) all.push_back({axis.name, "", axis.line});
     if (study_.replicas > 0) all.push_back({"cell.replica", "", replicas_line_});
     std::stable_sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) { return a.line < b.line; });
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        if (all[i].name != all[j].name) continue;
-        fail_at(all[i].line, "{} was set in line {} already. A parameter is either fixed or an axis, once.",
-                all[i].name, all[j].line);
-      }
+    std::map<std::string_view, int> lines;
+    for (const Entry& entry : all) {
+      const auto [before, is_new] = lines.emplace(entry.name, entry.line);
+      if (is_new) continue;
+      fail_at(entry.line, "{} was set in line {} already. A parameter is either fixed or an axis, once.", entry.name,
+              before->second);
     }
   }
 
@@ -203,7 +208,7 @@ Study read_study(const std::filesystem::path& file) {
     fail(Exit::usage, "{}: is a directory. Name the study file, such as {}.", file.string(),
          (file / "study.ini").string());
   }
-  const std::optional<std::string> text = read_whole_file(file);
+  const std::optional<std::string> text = read_whole_file(file, largest_study);
   if (!text) fail(Exit::not_found, "{}: there is no such study file.", file.string());
   return parse_study(*text, file);
 }

@@ -19,13 +19,6 @@ bool is_range(const std::vector<std::string>& parts) {
                                          [](const std::string& part) { return parse_number(part).has_value(); });
 }
 
-std::size_t rows_of(const Study& study) {
-  if (study.mode == SweepMode::zip) return study.axes.empty() ? 1 : study.axes.front().values.size();
-  std::size_t rows = 1;
-  for (const Axis& axis : study.axes) rows *= axis.values.size();
-  return rows;
-}
-
 /// The value of each axis in the given row.
 std::vector<Entry> row_of(const Study& study, std::size_t row) {
   std::vector<Entry> entries(study.axes.size());
@@ -44,6 +37,8 @@ std::vector<Entry> row_of(const Study& study, std::size_t row) {
 std::vector<std::string> expand_values(const std::string& text, const std::string& file, int line) {
   std::vector<std::string> values;
   for (const std::string& item : split(text, ',')) {
+    if (values.size() > most_points)
+      fail(Exit::usage, "{}:{}: the axis has more than {} values. Shorten it.", file, line, most_points);
     if (item.empty())
       fail(Exit::usage, "{}:{}: `{}` has an empty place between commas. Remove a comma.", file, line, text);
     const std::vector<std::string> parts = split(item, ':');
@@ -72,22 +67,12 @@ double count_of(const Study& study) {
   return count;
 }
 
-std::vector<Combination> combinations(const Study& study) {
-  std::vector<Combination> all;
-  const std::size_t rows = rows_of(study);
-  for (std::size_t row = 0; row < rows; ++row) {
-    Combination combination{study.fixed};
-    for (Entry& entry : row_of(study, row)) combination.entries.push_back(std::move(entry));
-    if (study.replicas == 0) {
-      all.push_back(std::move(combination));
-      continue;
-    }
-    for (int replica = 1; replica <= study.replicas; ++replica) {
-      all.push_back(combination);
-      all.back().entries.push_back({"cell.replica", std::to_string(replica), 0});
-    }
-  }
-  return all;
+Combination combination_of(const Study& study, std::size_t index) {
+  Combination combination{study.fixed};
+  const auto replicas = static_cast<std::size_t>(std::max(1, study.replicas));
+  for (Entry& entry : row_of(study, index / replicas)) combination.entries.push_back(std::move(entry));
+  if (study.replicas > 0) combination.entries.push_back({"cell.replica", std::to_string(index % replicas + 1), 0});
+  return combination;
 }
 
 }  // namespace rouleau::campaign

@@ -23,7 +23,7 @@ struct Combination {
 /// How many combinations there are, without making them.
 [[nodiscard]] double count_of(const Study& study);
 
-/// All of them: the product (last axis fastest) or the zip of the axes, each with every replica.
-[[nodiscard]] std::vector<Combination> combinations(const Study& study);
+/// One of them, 0 ... count_of - 1: the product (last axis fastest) or the zip of the axes, each with every replica.
+[[nodiscard]] Combination combination_of(const Study& study, std::size_t index);
 
 }  // namespace rouleau::campaign

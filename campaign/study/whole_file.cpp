@@ -3,6 +3,7 @@
 #include "study/whole_file.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <xxhash.h>
 
@@ -54,7 +55,7 @@ void write_whole_file(const std::filesystem::path& file, std::string_view text) 
   sync_directory(file.has_parent_path() ? file.parent_path() : ".");
 }
 
-std::optional<std::string> read_whole_file(const std::filesystem::path& file) {
+std::optional<std::string> read_whole_file(const std::filesystem::path& file, std::size_t most_bytes) {
   const Descriptor in(file, O_RDONLY);
   if (in.fd() < 0) {
     if (errno == ENOENT || errno == ENOTDIR) return std::nullopt;
@@ -68,7 +69,19 @@ std::optional<std::string> read_whole_file(const std::filesystem::path& file) {
     if (got < 0) fail_with_errno(file, "read");
     if (got == 0) return text;
     text.append(buffer, static_cast<std::size_t>(got));
+    if (text.size() > most_bytes)
+      fail(Exit::failed, "{}: has more than the {} bytes that such a file may have. Is it the right one?",
+           file.string(), most_bytes);
   }
+}
+
+void make_directories(const std::filesystem::path& directory) {
+  if (std::filesystem::is_directory(directory)) return;
+  const std::filesystem::path above = directory.has_parent_path() ? directory.parent_path() : ".";
+  make_directories(above);
+  // Made by somebody else in this moment: that one syncs it.
+  if (::mkdir(directory.c_str(), 0777) != 0 && errno != EEXIST) fail_with_errno(directory, "make the directory");
+  sync_directory(above);
 }
 
 void sync_directory(const std::filesystem::path& directory) {

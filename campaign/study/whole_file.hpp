@@ -2,6 +2,7 @@
 // Small files that exist whole or not at all.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -9,12 +10,20 @@
 
 namespace rouleau::campaign {
 
+/// No JSON record of a run directory comes near this many bytes.
+inline constexpr std::size_t largest_record = std::size_t{1} << 24;
+
 /// Writes `text` aside, syncs, renames over `file`, syncs the directory.   throws Error (failed) naming the file and
 /// the reason
 void write_whole_file(const std::filesystem::path& file, std::string_view text);
 
-/// The whole content, or nothing if there is no such file.   throws Error (failed) if it exists but cannot be read
-[[nodiscard]] std::optional<std::string> read_whole_file(const std::filesystem::path& file);
+/// The whole content, or nothing if there is no such file.
+/// throws Error (failed) if it exists but cannot be read, or has more than `most_bytes`
+[[nodiscard]] std::optional<std::string> read_whole_file(const std::filesystem::path& file,
+                                                         std::size_t most_bytes = SIZE_MAX);
+
+/// Makes a directory and those above it that are missing; each of them survives a power failure.
+void make_directories(const std::filesystem::path& directory);
 
 /// Syncs a directory, so that files made in it survive a power failure.
 void sync_directory(const std::filesystem::path& directory);

@@ -73,7 +73,8 @@ template <class Real>
 void set_sheared(Fluid<Real>& fluid, int axis, const Vec3& body_force) {
   if (fluid.lattice.periodic[axis])
     fail(Exit::bad_input, "shear flow needs walls on axis {}, which is periodic.", "xyz"[axis]);
-  const auto& [low, high] = fluid.wall_velocity[axis];
+  const Vec3& low = fluid.wall_velocity[axis][0];
+  const Vec3& high = fluid.wall_velocity[axis][1];
   const int n = fluid.lattice.size[axis];
   set_equilibrium(
       fluid, [&, axis](const Int3& node) { return Vec3(low + (high - low) * ((node[axis] + 0.5) / n)); }, body_force);

@@ -9,6 +9,7 @@
 #include "run/metadata.hpp"
 #include "run/run_loop.hpp"
 #include "run/version.hpp"
+#include "storage/files.hpp"
 #include "storage/resume.hpp"
 
 namespace rouleau {
@@ -35,8 +36,9 @@ class AttemptRun {
     try {
       outcome = run_to_the_end();
     } catch (const Error& error) {
-      leave_record({error.code(), error.what()});
-      throw;
+      const Error end = end_of(error);
+      leave_record({end.code(), end.what()});
+      throw end;
     }
     leave_record(outcome);
     if (comm_.is_root() && !options_.quiet) fmt::print(stderr, "{}\n", summary(outcome));
@@ -44,6 +46,19 @@ class AttemptRun {
   }
 
  private:
+  /// A newer attempt takes unfinished files away, which looks like a failure of the disk; the fence tells. Collective.
+  Error end_of(const Error& error) const {
+    if (error.code() != Exit::io) return error;
+    try {
+      comm_.on_root([&] {
+        if (attempt_) attempt_->fence();
+      });
+    } catch (const Error& fenced) {
+      if (fenced.code() == Exit::superseded) return fenced;
+    }
+    return error;
+  }
+
   Outcome run_to_the_end() {
     comm_.all_agree([&] { setup_.emplace(set_up(options_.run_file, files_)); });
     const Setup& setup = *setup_;
@@ -55,7 +70,8 @@ class AttemptRun {
     std::unique_ptr<Simulation> simulation;
     comm_.all_agree([&] { simulation = make_simulation(setup, comm_, decomposition); });
     if (comm_.is_root())
-      log_.emplace(files_, directory_ / "samples.csv", sample_columns(), [this] { attempt_->fence(); });
+      log_.emplace(files_, directory_ / "samples.csv", sample_columns(), attempt_->number(),
+                   [this] { attempt_->fence(); });
 
     const std::optional<std::int64_t> resumed_at = resume(*simulation);
     if (!resumed_at) {
@@ -97,7 +113,8 @@ class AttemptRun {
     const Resumed resumed = load_newest(files_, directory_ / "checkpoints", comm_, expected, state);
     record_.rejected_checkpoints = resumed.rejected;
     if (comm_.is_root())
-      for (const auto& [file, why] : resumed.rejected) fmt::print(stderr, "checkpoint {} is rejected: {}\n", file, why);
+      for (const RejectedCheckpoint& checkpoint : resumed.rejected)
+        fmt::print(stderr, "checkpoint {} is rejected: {}\n", checkpoint.file, checkpoint.why);
     if (!resumed.metadata) {
       if (resumed.rejected.empty()) return std::nullopt;
       fail(Exit::bad_input,
@@ -105,12 +122,25 @@ class AttemptRun {
            "at step 0.",
            (directory_ / "checkpoints").string(), resumed.rejected.size());
     }
+    comm_.on_root([&] { set_foreign_aside(resumed.rejected); });
     simulation.resume();
     comm_.on_root([&] { log_->cut_back(resumed.metadata->samples); });
     record_.resumed_from = "checkpoints/" + resumed.file.filename().string();
     if (comm_.is_root() && !options_.quiet)
       fmt::print(stderr, "resumed from {} at step {}\n", record_.resumed_from, resumed.metadata->step);
     return resumed.metadata->step;
+  }
+
+  /// A sound checkpoint of another run would be deleted with the next one of this run, as are all that were rejected.
+  void set_foreign_aside(const std::vector<RejectedCheckpoint>& rejected) {
+    for (const RejectedCheckpoint& checkpoint : rejected) {
+      if (!checkpoint.foreign) continue;
+      attempt_->fence();
+      const std::filesystem::path file = directory_ / "checkpoints" / checkpoint.file;
+      rename_synced(files_, file, file.string() + ".foreign");
+      fmt::print(stderr, "checkpoint {} belongs to another run; it is kept as {}.foreign\n", checkpoint.file,
+                 checkpoint.file);
+    }
   }
 
   void print_set_up() const {

@@ -20,6 +20,9 @@ std::string hex(const XXH128_hash_t& hash) { return fmt::format("{:016x}{:016x}"
 
 std::string content_digest(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(file)) throw std::runtime_error("is a directory");
+  // A device or a pipe may have no end.
+  if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
+    throw std::runtime_error("is not a regular file");
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), std::fclose);
   if (!stream) throw std::runtime_error(std::strerror(errno));
   const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(), XXH3_freeState);

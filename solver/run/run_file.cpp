@@ -6,9 +6,11 @@
 #include <charconv>
 #include <cstdio>
 #include <cstring>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "base/error.hpp"
 #include "run/identity.hpp"
@@ -20,6 +22,7 @@ namespace rouleau {
 namespace {
 
 constexpr std::size_t largest_file = std::size_t{1} << 20;  // bytes
+constexpr std::size_t most_cells = 1000;
 
 // A parameter of one cell or of the run, on the way from text to value.
 struct Slot {
@@ -39,7 +42,9 @@ std::string suggestion(const std::string& near) { return near.empty() ? "" : fmt
 
 class Reader {
  public:
-  Reader(std::string_view text, const std::filesystem::path& path) : path_(path), ini_(read_ini(text, path.string())) {}
+  Reader(std::string_view text, const std::filesystem::path& path) : path_(path), ini_(read_ini(text, path.string())) {
+    for (const auto& e : ini_.entries) entries_[{e.section, e.name}] = &e;
+  }
 
   RunFile read() {
     lay_out_slots();
@@ -75,6 +80,9 @@ class Reader {
         fail(Exit::bad_input, "{}: section [{}] without [cell.{}]; number further cells 2, 3 ... without a gap",
              at(further[i]->line), further[i]->name, i + 2);
     cells_ = 1 + further.size();
+    if (cells_ > most_cells)
+      fail(Exit::bad_input, "{}: section [{}]; at most {} cells are taken. Remove some.",
+           at(further[most_cells - 1]->line), further[most_cells - 1]->name, most_cells);
 
     const auto table = parameter_table();
     for (auto p = table.begin(); p != table.end();) {
@@ -93,8 +101,8 @@ class Reader {
     slot.default_text = parameter.default_text;
     // A further cell is there because its section is; without this a cell of defaults would not enter the identity.
     if (cell > 0 && parameter.name == "shape") slot.default_text.clear();
-    for (const auto& e : ini_.entries)
-      if (e.section == slot.section && e.name == parameter.name) slot.entry = &e;
+    const auto entry = entries_.find({slot.section, parameter.name});
+    if (entry != entries_.end()) slot.entry = entry->second;
     slots_.push_back(std::move(slot));
   }
 
@@ -270,6 +278,7 @@ class Reader {
 
   std::filesystem::path path_;
   Ini ini_;
+  std::map<std::pair<std::string_view, std::string_view>, const IniEntry*> entries_;
   std::size_t cells_ = 1;
   std::vector<Slot> slots_;
 };

@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "storage/checksum.hpp"
 #include "storage/files.hpp"
+#include "storage/unfinished.hpp"
 
 namespace rouleau {
 namespace fs = std::filesystem;
@@ -57,6 +58,7 @@ Attempt Attempt::claim(FileSystem& files, const fs::path& run_directory) {
   while (!make_directory(files, run_directory / "attempts" / std::to_string(number))) ++number;
   Attempt attempt(files, run_directory, number, random_token());
   write_aside(files, attempt.directory() / "owner", attempt.token_ + "\n");
+  attempt.disarm_older();
   return attempt;
 }
 
@@ -68,7 +70,13 @@ Attempt Attempt::join(FileSystem& files, const fs::path& run_directory, int numb
          owner.string(), number);
   }
   attempt.fence();
+  attempt.disarm_older();
   return attempt;
+}
+
+void Attempt::disarm_older() const {
+  remove_unfinished(*files_, run_, number_);
+  remove_unfinished(*files_, run_ / "checkpoints", number_);
 }
 
 fs::path Attempt::directory() const { return run_ / "attempts" / std::to_string(number_); }

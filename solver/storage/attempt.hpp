@@ -34,6 +34,8 @@ class Attempt {
 
  private:
   Attempt(FileSystem& files, std::filesystem::path run, int number, std::string token);
+  /// Leaves older attempts nothing to rename (unfinished.hpp). Before anything else is read.
+  void disarm_older() const;
   FileSystem* files_;
   std::filesystem::path run_;
   int number_;

@@ -11,6 +11,7 @@
 #include "storage/generations.hpp"
 #include "storage/manifest.hpp"
 #include "storage/seal.hpp"
+#include "storage/unfinished.hpp"
 
 namespace rouleau {
 namespace fs = std::filesystem;
@@ -87,7 +88,7 @@ SavedCheckpoint save_checkpoint(const CheckpointPlace& place, const Communicator
   texts.manifest = to_json(manifest);
 
   const fs::path file = place.directory / checkpoint_name(metadata.step);
-  const fs::path unfinished = place.directory / unfinished_name(metadata.step, metadata.attempt);
+  const fs::path unfinished = place.directory / unfinished_name(checkpoint_name(metadata.step), metadata.attempt);
   SavedCheckpoint saved{file, 0};
   std::vector<std::uint64_t> places(state.lattice_items.size());
   bool begun = false;
@@ -108,10 +109,13 @@ SavedCheckpoint save_checkpoint(const CheckpointPlace& place, const Communicator
     });
     comm.on_root([&] {
       saved.bytes = file_size(files, unfinished);
+      const std::vector<fs::path> superfluous =
+          superfluous_generations(files, place.directory, metadata.step, place.keep);
       place.fence();
       rename_synced(files, unfinished, file);
       begun = false;
-      remove_old_generations(files, place.directory, metadata.step, place.keep);
+      for (const fs::path& generation : superfluous) remove_file(files, generation);
+      sync_directory(files, place.directory);
     });
   } catch (const Error&) {
     // The error under way matters more than a failure to tidy up; the next checkpoint removes what is left.

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "storage/checksum.hpp"
+#include "storage/files.hpp"
 
 namespace rouleau {
 namespace {
@@ -45,6 +46,15 @@ CheckpointFile::CheckpointFile(FileSystem& files, const std::filesystem::path& p
   if (!readable()) return;
   if (manifest_.metadata_checksum != text_checksum(metadata)) {
     fail(Exit::bad_input, "{}: the metadata does not match its checksum", name_);
+  }
+  // Before anybody makes room for the values: that much is really there, in that shape.
+  const std::uint64_t length = file_size(files, path);
+  for (const ManifestItem& item : manifest_.items) {
+    if (item_bytes(item, name_) > length) {
+      fail(Exit::bad_input, "{}: the manifest gives {} {} bytes, the file has {}", name_, item.name,
+           item_bytes(item, name_), length);
+    }
+    static_cast<void>(open_dataset(item));
   }
 }
 

@@ -174,7 +174,8 @@ SavedCell read_cell(FileSystem& files, const fs::path& path, int cell) {
     fail(Exit::bad_input, "{}: cells/X and cells/X_reference differ in size", path.string());
   }
   const std::size_t triangles = corners.size() / 3;
-  const auto [begin, end, first, last] = arrays.range(path, static_cast<std::size_t>(cell), triangles);
+  const std::array<std::size_t, 4> range = arrays.range(path, static_cast<std::size_t>(cell), triangles);
+  const std::size_t begin = range[0], end = range[1];
 
   SavedCell saved;
   saved.node_spacing_um = file.metadata().node_spacing_um;
@@ -193,7 +194,7 @@ SavedCell read_cell(FileSystem& files, const fs::path& path, int cell) {
     }
     return v - static_cast<std::int32_t>(begin);
   };
-  for (std::size_t t = first; t < last; ++t) {
+  for (std::size_t t = range[2]; t < range[3]; ++t) {
     saved.surface.triangles.a.push_back(corner(0, t));
     saved.surface.triangles.b.push_back(corner(1, t));
     saved.surface.triangles.c.push_back(corner(2, t));

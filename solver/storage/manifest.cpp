@@ -2,10 +2,9 @@
 // Building, writing and reading the table of contents of a checkpoint.
 #include "storage/manifest.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "base/error.hpp"
 #include "storage/checksum.hpp"
+#include "storage/json_entry.hpp"
 #include "storage/metadata.hpp"
 
 namespace rouleau {
@@ -50,7 +49,7 @@ ManifestItem item_from_json(const Json& entry, const Int3& lattice) {
   if (kind != "lattice" && kind != "replicated") throw std::invalid_argument(fmt::format("item kind `{}`", kind));
   item.on_lattice = kind == "lattice";
   item.type = type_from_name(entry.at("type").get<std::string>());
-  item.shape = entry.at("shape").get<std::vector<std::uint64_t>>();
+  for (const Json& size : entry.at("shape")) item.shape.push_back(strictly<std::uint64_t>(size));
   for (const Json& checksum : entry.at("checksums")) {
     item.checksums.push_back(checksum_from_hex(checksum.get<std::string>()));
   }
@@ -141,12 +140,13 @@ Manifest manifest_from_json(const std::string& text, const std::string& file) {
   if (!object.is_object()) fail(Exit::bad_input, "{}: the manifest is not a JSON object", file);
   try {
     Manifest manifest;
-    manifest.layout = object.at("layout").get<int>();
+    manifest.layout = strictly<int>(object.at("layout"));
     // Another layout has another manifest; the caller reports the version.
     if (manifest.layout != checkpoint_layout) return manifest;
-    manifest.lattice = object.at("lattice").get<Int3>();
-    for (const int n : manifest.lattice) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const int n = strictly<int>(object.at("lattice").at(axis));
       if (n < 1) throw std::invalid_argument(fmt::format("lattice size {}", n));
+      manifest.lattice[axis] = n;
     }
     for (const Json& entry : object.at("items")) {
       manifest.items.push_back(item_from_json(entry, manifest.lattice));

@@ -3,9 +3,9 @@
 #include "storage/metadata.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "storage/json_entry.hpp"
 
 namespace rouleau {
 namespace {
@@ -23,8 +23,10 @@ double finite(double value, const char* name, std::int64_t step) {
 template <class T>
 T entry(const Json& object, const char* name, const std::string& file) {
   try {
-    return object.at(name).get<T>();
+    return strictly<T>(object.at(name));
   } catch (const Json::exception& e) {
+    fail(Exit::bad_input, "{}: metadata entry `{}` cannot be read: {}", file, name, e.what());
+  } catch (const std::invalid_argument& e) {
     fail(Exit::bad_input, "{}: metadata entry `{}` cannot be read: {}", file, name, e.what());
   }
 }

@@ -3,12 +3,15 @@
 #include "storage/records.hpp"
 
 #include <unistd.h>
+#include <xxhash.h>
 
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "storage/checksum.hpp"
 #include "storage/files.hpp"
+#include "storage/unfinished.hpp"
 
 namespace rouleau {
 namespace fs = std::filesystem;
@@ -24,8 +27,15 @@ double finite(double value, const char* name) {
   return value;
 }
 
+/// The last entry vouches for all bytes before it, so that a reader knows a damaged record.
+std::string record_text(const Json& record) {
+  std::string text = record.dump(1, ' ', false, Json::error_handler_t::replace);
+  text.resize(text.rfind('\n'));  // the closing bracket stands alone in the last line
+  return fmt::format("{},\n \"check\": \"{}\"\n}}\n", text, hex(XXH64(text.data(), text.size(), 0)));
+}
+
 void write_record(FileSystem& files, const fs::path& path, const Json& record) {
-  write_aside(files, path, record.dump(1) + "\n");
+  write_aside(files, path, record_text(record));
 }
 
 std::uint64_t start_ticks(const std::string& stat) {
@@ -106,8 +116,8 @@ void write_progress(FileSystem& files, const Attempt& attempt, const Progress& p
   if (progress.d_um) record["d_um"] = finite(*progress.d_um, "d_um");
   if (progress.asphericity) record["asphericity"] = finite(*progress.asphericity, "asphericity");
   record["updated_unix_s"] = finite(progress.updated_unix_s, "updated_unix_s");
-  attempt.fence();
-  write_record(files, attempt.run_directory() / "progress.json", record);
+  write_fenced(files, attempt.run_directory() / "progress.json", record_text(record), attempt.number(),
+               [&] { attempt.fence(); });
 }
 
 }  // namespace rouleau

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// What rank 0 thinks of an intact file.
-enum class Verdict : char { load, reject, refuse };
+enum class Verdict : char { load, reject, foreign };
 struct Opinion {
   Verdict verdict = Verdict::load;
   std::string why;
@@ -53,7 +53,7 @@ Opinion judge(const CheckpointFile& file, const fs::path& path, const Expected& 
   if (step_of_checkpoint(path.filename().string()) != metadata.step) {
     return {Verdict::reject, fmt::format("its name does not belong to the step {} it holds", metadata.step)};
   }
-  if (const auto why = identity_conflict(metadata, expected)) return {Verdict::refuse, *why};
+  if (const auto why = identity_conflict(metadata, expected)) return {Verdict::foreign, *why};
   if (const auto why = item_conflict(file.manifest(), state)) return {Verdict::reject, *why};
   if (expected.obstacle) {
     if (const auto why = expected.obstacle(metadata)) return {Verdict::reject, *why};
@@ -104,7 +104,7 @@ void load_values(const CheckpointFile& file, const fs::path& path, const Communi
   }
 }
 
-/// Verifies and loads one file. Returns why not, or nothing. Throws Error(bad_input) if it must not be continued.
+/// Verifies and loads one file.
 struct Attempted {
   std::optional<CheckpointMetadata> metadata;
   RejectedCheckpoint rejected;
@@ -129,12 +129,9 @@ Attempted try_to_load(FileSystem& files, const fs::path& path, const Communicato
     attempted.rejected.why = error.what();
     return attempted;
   }
-  if (opinion.verdict == Verdict::refuse) {
-    fail(Exit::bad_input, "{}: {}. Restart with the old values, or start a new run in another directory.",
-         path.string(), opinion.why);
-  }
-  if (opinion.verdict == Verdict::reject) {
+  if (opinion.verdict != Verdict::load) {
     attempted.rejected.why = opinion.why;
+    attempted.rejected.foreign = opinion.verdict == Verdict::foreign;
     return attempted;
   }
   attempted.metadata = file->metadata();
@@ -176,12 +173,17 @@ Resumed load_newest(FileSystem& files, const fs::path& directory, const Communic
       resumed.file = path;
       return resumed;
     }
-    if (attempted.intact && intact.empty()) intact = fmt::format("{}: {}", path.string(), attempted.rejected.why);
+    if (attempted.intact && intact.empty()) {
+      intact = fmt::format("{}: {}. {}", path.string(), attempted.rejected.why,
+                           attempted.rejected.foreign
+                               ? "Restart with the old values, or start a new run in another directory."
+                               : "No checkpoint can be continued; move the directory away to start anew.");
+    }
     resumed.rejected.push_back(std::move(attempted.rejected));
   }
   // Starting anew would in time delete a checkpoint that nothing is wrong with.
   if (!intact.empty()) {
-    fail(Exit::bad_input, "{}. No checkpoint can be continued; move the directory away to start anew.", intact);
+    throw Error(Exit::bad_input, intact);
   }
   return resumed;
 }

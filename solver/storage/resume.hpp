@@ -32,6 +32,7 @@ struct Expected {
 struct RejectedCheckpoint {
   std::string file;  ///< name within the directory
   std::string why;
+  bool foreign = false;  ///< intact, but of another run
 };
 
 struct Resumed {
@@ -46,11 +47,10 @@ struct Resumed {
 
 /// Loads the newest checkpoint that verifies into the arrays of `state`, for any decomposition. Collective.
 /// Damaged files (seal, name, manifest, metadata, values) and files that cannot be continued (other layout version,
-/// other items, `obstacle`) are rejected with a reason and the next older generation is tried. A checkpoint whose
-/// identity differs is refused. leaves  `state` unspecified if nothing could be loaded: the caller starts anew or stops
-/// throws  Error(bad_input) if an identity parameter changed, naming it with its old and new value, or if nothing could
-/// be
-///         loaded although an intact checkpoint is there; Error(io) if a file cannot be read for a reason that may pass
+/// other items, another run's identity, `obstacle`) are rejected with a reason and the next older generation is tried.
+/// leaves  `state` unspecified if nothing could be loaded: the caller starts anew or stops
+/// throws  Error(bad_input) if nothing could be loaded although an intact checkpoint is there: a parameter that has
+///         changed is named with its old and new value; Error(io) if a file cannot be read for a reason that may pass
 Resumed load_newest(FileSystem& files, const std::filesystem::path& directory, const Communicator& comm,
                     const Expected& expected, PersistentState& state);
 

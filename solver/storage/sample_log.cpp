@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "storage/checksum.hpp"
+#include "storage/unfinished.hpp"
 
 namespace rouleau {
 namespace fs = std::filesystem;
@@ -89,8 +90,13 @@ struct SampleLog::Open {
   std::int64_t step = -1, cell = -1;
 };
 
-SampleLog::SampleLog(FileSystem& files, fs::path file, std::vector<std::string> columns, std::function<void()> fence)
-    : files_(&files), path_(std::move(file)), columns_(std::move(columns)), fence_(std::move(fence)) {
+SampleLog::SampleLog(FileSystem& files, fs::path file, std::vector<std::string> columns, int attempt,
+                     std::function<void()> fence)
+    : files_(&files),
+      path_(std::move(file)),
+      columns_(std::move(columns)),
+      attempt_(attempt),
+      fence_(std::move(fence)) {
   const auto cell = std::find(columns_.begin(), columns_.end(), "cell");
   require(!columns_.empty() && columns_[0] == "step" && cell != columns_.end(),
           "SampleLog: the columns must begin with `step` and contain `cell`");
@@ -101,12 +107,7 @@ SampleLog::~SampleLog() = default;
 SampleLog::SampleLog(SampleLog&&) noexcept = default;
 SampleLog& SampleLog::operator=(SampleLog&&) noexcept = default;
 
-void SampleLog::start() {
-  fence_();
-  const std::string header = header_line(columns_);
-  write_aside(*files_, path_, header);
-  open(header.size());
-}
+void SampleLog::start() { replace(header_line(columns_)); }
 
 std::optional<std::string> SampleLog::obstacle(const SampleLogPosition& position) const {
   std::string content;
@@ -126,18 +127,16 @@ std::optional<std::string> SampleLog::obstacle(const SampleLogPosition& position
 }
 
 void SampleLog::cut_back(const SampleLogPosition& position) {
-  fence_();
   if (const auto why = obstacle(position)) {
     fail(Exit::bad_input, "{}; the samples cannot be continued exactly from this checkpoint", *why);
   }
-  open(position.bytes);
+  replace(read_file(*files_, path_).substr(0, position.bytes));
 }
 
-void SampleLog::open(std::uint64_t length) {
-  const std::string content = read_file(*files_, path_).substr(0, length);
+void SampleLog::replace(const std::string& content) {
+  // A file of our own, never the one that an older attempt may have open: what that one still writes goes nowhere.
+  write_fenced(*files_, path_, content, attempt_, fence_);
   open_ = std::make_unique<Open>(File::append(*files_, path_));
-  open_->file.truncate(length);
-  open_->file.sync();
   open_->count(content);
   written_ = columns_in(content, columns_);
   const std::size_t last = content.rfind('\n', content.size() - 2);

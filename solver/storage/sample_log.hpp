@@ -31,8 +31,9 @@ struct SampleScan {
 /// Serial: rank 0 owns the log, inside Communicator::on_root.
 class SampleLog {
  public:
-  /// `columns` without "check"; the first two are "step" and, anywhere, "cell". `fence` throws Error(superseded).
-  SampleLog(FileSystem& files, std::filesystem::path file, std::vector<std::string> columns,
+  /// `columns` without "check"; the first is "step", one is "cell". `fence` throws Error(superseded) if there is an
+  /// attempt newer than this one.
+  SampleLog(FileSystem& files, std::filesystem::path file, std::vector<std::string> columns, int attempt,
             std::function<void()> fence);
   ~SampleLog();
   SampleLog(SampleLog&&) noexcept;
@@ -46,8 +47,8 @@ class SampleLog {
   /// continued exactly.
   [[nodiscard]] std::optional<std::string> obstacle(const SampleLogPosition& position) const;
 
-  /// Cuts the log back to what the checkpoint had counted, and opens it there. A log that an older version began goes
-  /// on with the columns it has. Throws Error(bad_input) if there is an obstacle.
+  /// Replaces the log by a copy of what the checkpoint had counted, and opens it there. A log that an older version
+  /// began goes on with the columns it has. Throws Error(bad_input) if there is an obstacle.
   void cut_back(const SampleLogPosition& position);
 
   /// Adds rows in one write(), after the fence: a value for each of the columns given at construction. (step, cell)
@@ -61,12 +62,13 @@ class SampleLog {
 
  private:
   struct Open;
-  void open(std::uint64_t length);
+  void replace(const std::string& content);
   FileSystem* files_;
   std::filesystem::path path_;
   std::vector<std::string> columns_;
   std::vector<std::size_t> written_;  ///< which of the columns the file has, in its order
   std::size_t cell_column_ = 0;       ///< among all columns
+  int attempt_;
   std::function<void()> fence_;
   std::unique_ptr<Open> open_;
 };

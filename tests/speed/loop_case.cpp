@@ -59,7 +59,7 @@ void LoopCase::measure_shares(Series& series) {
   run_.end_after(2 * run_.setup().run.parameters.output.sample_interval_steps);
   TimedSteps timed(run_.simulation());
   Attempt attempt = Attempt::claim(files, directory_);
-  SampleLog log(files, directory_ / "samples.csv", sample_columns(), [&] { attempt.fence(); });
+  SampleLog log(files, directory_ / "samples.csv", sample_columns(), attempt.number(), [&] { attempt.fence(); });
   log.start();
   const StepTimers before = timed.timers();
   RunLoop loop({run_.setup(), run_.comm(), timed, files, directory_, &attempt, &log, timed.mesh_digest(), {}, true},

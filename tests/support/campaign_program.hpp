@@ -28,9 +28,9 @@
 
 namespace rouleau::testing {
 
-/// Waits until the condition holds.   returns false when it did not within ten seconds (a busy machine needs some)
+/// Waits until the condition holds.   returns false when it did not within a minute (a busy machine needs some)
 inline bool eventually(const std::function<bool()>& condition) {
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
   while (!condition()) {
     if (std::chrono::steady_clock::now() > deadline) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));

@@ -40,6 +40,12 @@ std::string text_of(const BadRunFile& bad) {
 
 namespace {
 
+std::string many_cells() {
+  std::string text = "sample_interval_steps = 100";
+  for (int cell = 2; cell <= 1002; ++cell) text += "\n[cell." + std::to_string(cell) + "]";
+  return text;
+}
+
 std::vector<BadRunFile> wrong_text() {
   return {
       {"UnknownParameter", {{2, "lamda = 5"}}, 2, {"unknown parameter lamda", "did you mean lambda"}},
@@ -59,6 +65,7 @@ std::vector<BadRunFile> wrong_text() {
       {"SectionWithoutName", {{3, "[ ]"}}, 3, {"needs a name"}},
       {"ControlCharacter", {{2, std::string("lambda = 5\x01")}}, 2, {"byte 0x01", "column 11"}},
       {"NotUtf8", {{2, "lambda = 5 # \xb5"}}, 2, {"byte 0xb5", "UTF-8"}},
+      {"TooManyCells", {{22, many_cells()}}, 1022, {"[cell.1001]", "at most 1000 cells"}},
       {"EndlessLine", {{2, "lambda = " + std::string(2000, '1')}}, 2, {"2009 bytes", "at most 1000"}},
   };
 }
@@ -97,6 +104,7 @@ std::vector<BadRunFile> wrong_values() {
       {"FourComponents", {{12, "rotation_axis = 0 1 0 0"}}, 12, {"three numbers"}},
       {"AxisWithoutDirection", {{12, "rotation_axis = 0 0 0"}}, 12, {"no direction"}},
       {"MissingMeshFile", {{11, "shape = mesh"}, {12, "mesh_file = nowhere.off"}}, 12, {"nowhere.off", "No such file"}},
+      {"MeshFileWithoutEnd", {{11, "shape = mesh"}, {12, "mesh_file = /dev/zero"}}, 12, {"is not a regular file"}},
       {"MeshFileIsAFolder", {{11, "shape = mesh"}, {12, "mesh_file = ."}}, 12, {"is a directory"}},
   };
 }

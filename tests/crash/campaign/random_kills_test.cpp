@@ -7,14 +7,15 @@
 #include <algorithm>
 #include <random>
 
-#include "support/campaign_program.hpp"
+#include "support/campaign_outcome.hpp"
 
 namespace rouleau::campaign {
 namespace {
 
+using rouleau::testing::CampaignOutcome;
 using rouleau::testing::CampaignProgram;
-using rouleau::testing::content_of;
 using rouleau::testing::eventually;
+using rouleau::testing::outcome_of;
 
 /// Always the same, unless CRASH_SEED asks for other moments.
 unsigned seed() {
@@ -23,30 +24,6 @@ unsigned seed() {
 }
 
 bool is_soak() { return std::getenv("SOAK") != nullptr; }
-
-/// Everything a campaign came to, times and attempts aside.
-struct Outcome {
-  std::vector<PointRow> points;
-  std::vector<std::vector<ParameterRow>> parameters;
-  std::vector<std::vector<SampleRow>> samples;
-  std::vector<std::vector<ResultRow>> results;
-  std::vector<std::string> logs;  ///< samples.csv, byte for byte
-
-  friend bool operator==(const Outcome&, const Outcome&) = default;
-};
-
-Outcome outcome_of(const CampaignProgram& program) {
-  const Store store = program.store();
-  Outcome outcome;
-  outcome.points = store.points();
-  for (const PointRow& point : outcome.points) {
-    outcome.parameters.push_back(store.parameters(point.key));
-    outcome.samples.push_back(store.samples(point.key));
-    outcome.results.push_back(store.results(point.key));
-    outcome.logs.push_back(content_of(program.campaign() / "points" / point.key / "samples.csv"));
-  }
-  return outcome;
-}
 
 void make(const CampaignProgram& program, int kills) {
   // 1000 steps a point for 40 kills, a checkpoint every 20: a job takes about half a second and meets several of them.
@@ -94,7 +71,7 @@ std::string real_study(int ranks, int kills) {
 }
 
 /// A line for share/soak.sh: what the kills have cost.
-void report(const Outcome& expected, const Outcome& found, int kills) {
+void report(const CampaignOutcome& expected, const CampaignOutcome& found, int kills) {
   std::size_t lost_samples = 0, wrong_resumes = 0;
   for (std::size_t i = 0; i < expected.points.size(); ++i) {
     const std::size_t all = expected.samples[i].size(), kept = found.samples[i].size();
@@ -135,8 +112,8 @@ void expect_no_trace(const CampaignProgram& undisturbed, const CampaignProgram& 
   EXPECT_EQ(capture.status, 0) << capture.err;
   EXPECT_TRUE(eventually([&] { return disturbed.jobs().empty() && disturbed.launchers().empty(); }))
       << "a process is left over";
-  const Outcome expected = outcome_of(undisturbed);
-  const Outcome found = outcome_of(disturbed);
+  const CampaignOutcome expected = outcome_of(undisturbed);
+  const CampaignOutcome found = outcome_of(disturbed);
   ASSERT_EQ(found.points.size(), expected.points.size());
   if (is_soak()) report(expected, found, done);
   for (std::size_t i = 0; i < expected.points.size(); ++i) {

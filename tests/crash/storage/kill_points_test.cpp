@@ -27,7 +27,8 @@ class MiniatureRun {
       : files_(files),
         attempt_(Attempt::claim(files, directory)),
         place_{files, directory / "checkpoints", [this] { attempt_.fence(); }, kept},
-        log_(files, directory / "samples.csv", {"step", "cell", "value"}, [this] { attempt_.fence(); }) {}
+        log_(files, directory / "samples.csv", {"step", "cell", "value"}, attempt_.number(),
+             [this] { attempt_.fence(); }) {}
 
   /// To the end, from the newest checkpoint or from step 0.
   void run() {

@@ -3,6 +3,7 @@
 #include "ingest/sample_log.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include "written_campaign.hpp"
 
@@ -142,6 +143,23 @@ TEST_F(SampleLogTest, StepsThatGoBackAreDamage) {
   set_content(file_, log_header + log_line(200, "0.5") + log_line(100, "0.5"));
   EXPECT_EQ(read().rows.size(), 1U);
   EXPECT_THAT(read().warnings, ElementsAre(HasSubstr("comes behind step 200")));
+}
+
+TEST_F(SampleLogTest, RepeatedLineIsDamageBehindAMarkToo) {
+  set_content(file_, log_header + log_line(100, "0.5") + log_line(200, "0.5"));
+  const SampleMark mark = read().mark;
+  set_content(file_, log_header + log_line(100, "0.5") + log_line(200, "0.5") + log_line(200, "0.5"));
+  const LogPart part = read(mark);
+  EXPECT_THAT(part.rows, IsEmpty());
+  EXPECT_THAT(part.warnings, ElementsAre(HasSubstr("comes behind step 200")));
+}
+
+TEST_F(SampleLogTest, FolderAndPipeAreNoLogs) {
+  std::filesystem::create_directory(file_);
+  EXPECT_THAT(read().warnings, ElementsAre(HasSubstr("not a regular file")));
+  std::filesystem::remove(file_);
+  ASSERT_EQ(::mkfifo(file_.c_str(), 0600), 0);
+  EXPECT_THAT(read().warnings, ElementsAre(HasSubstr("not a regular file")));
 }
 
 TEST_F(SampleLogTest, ColumnsAreFoundByNameAndUnknownOnesPassedBy) {

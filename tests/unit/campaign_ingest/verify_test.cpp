@@ -33,7 +33,8 @@ auto remark(const std::string& file, const std::string& problem) {
 class VerifyTest : public ::testing::Test {
  protected:
   /// A campaign of one point that is done and in order.
-  VerifyTest() : store_(Store::create(campaign_.path() / "campaign.db", {"small", "", "", 1.7e9, "0", "0"})) {
+  VerifyTest()
+      : store_(Store::create(campaign_.path() / "campaign.db", {"small", "", digest_of(""), 1.7e9, "0", "0"})) {
     const Point point = campaign_.add_point(1);
     store_.add_point(row_of(point), parameter_rows_of(point), "added");
     campaign_.add_attempt(key_, 1);
@@ -81,6 +82,16 @@ TEST_F(VerifyTest, ChangedSampleInTheDatabaseIsFound) {
 TEST_F(VerifyTest, ChangedResultInTheDatabaseIsFound) {
   store_.database().execute("UPDATE result SET d_mean_um = d_mean_um + 1e-15;");
   EXPECT_THAT(findings(), ElementsAre(damage("campaign.db", "not those of its samples"), damage("result.json", "")));
+}
+
+TEST_F(VerifyTest, ChangedCopyOfTheStudyInTheDatabaseIsFound) {
+  store_.database().execute("UPDATE campaign SET study_text = '[execution]' || char(10) || 'retries = 0';");
+  EXPECT_THAT(findings(), ElementsAre(damage("campaign.db", "copy of the study is damaged")));
+}
+
+TEST_F(VerifyTest, ChangedPointInTheDatabaseIsFound) {
+  store_.database().execute("UPDATE point SET end_time_s = end_time_s * 2;");
+  EXPECT_THAT(findings(), ElementsAre(damage("point.json", "another point than the database")));
 }
 
 TEST_F(VerifyTest, MissingSamplesInTheDatabaseAreFound) {

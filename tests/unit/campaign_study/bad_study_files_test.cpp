@@ -11,7 +11,7 @@ namespace {
 
 struct Bad {
   const char* what;                ///< names the case
-  const char* text;                ///< behind "[study]\nname = s\n" unless it has its own [study]
+  std::string text;                ///< behind "[study]\nname = s\n" unless it has its own [study]
   std::vector<std::string> parts;  ///< of the message
 };
 
@@ -20,6 +20,7 @@ const std::vector<Bad> bad_studies = {
     {"UnknownStudyEntry", "[study]\nnam = s\n", {"study.ini:2:", "`nam`", "Did you mean `name`?"}},
     {"NameWithBlanks", "[study]\nname = a b\n", {"study.ini:2:", "a b", "plain name"}},
     {"NameWithSlash", "[study]\nname = ../x\n", {"study.ini:2:", "plain name"}},
+    {"NameTooLong", "[study]\nname = " + std::string(101, 'a'), {"study.ini:2:", "101 letters", "at most 100"}},
     {"NoSection", "lambda = 5\n[study]\nname = s\n", {"study.ini:1:", "before the first section"}},
     {"NeitherSectionNorEntry", "[fluid]\nlambda 5\n", {"study.ini:4:", "`lambda 5`", "name = value"}},
     {"OpenBracket", "[fluid\nlambda = 5\n", {"study.ini:3:", "`[fluid`", "[name]"}},
@@ -44,6 +45,9 @@ const std::vector<Bad> bad_studies = {
     {"RangeWrongWay", "[sweep]\nfluid.lambda = 4:5:-1\n", {"study.ini:4:", "leads away from 5"}},
     {"RangeWithWord", "[sweep]\nfluid.lambda = 4:five:1\n", {"study.ini:4:", "`five` is not a number"}},
     {"RangeTooLong", "[sweep]\nfluid.lambda = 0:1:0.000001\n", {"study.ini:4:", "more than 100000 values"}},
+    {"AxisOfTooManyRanges",
+     "[sweep]\nfluid.lambda = 1:60000:1, 1:60000:1, 1\n",
+     {"study.ini:4:", "more than 100000 values"}},
     {"SweepTooLarge", "[sweep]\na.x = 1:1000:1\na.y = 1:1000:1\n", {"study.ini: ", "1000000 points", "100000"}},
     {"FixedAndSwept",
      "[fluid]\nlambda = 5\n[sweep]\nfluid.lambda = 1, 2\n",

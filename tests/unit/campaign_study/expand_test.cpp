@@ -99,6 +99,7 @@ TEST(CampaignCheck, RefusesAnotherContractAndNonsense) {
   EXPECT_THROW(static_cast<void>(parse_check("{\"contract\": 2}")), Error);
   EXPECT_THROW(static_cast<void>(parse_check("rouleau-solver: no")), Error);
   EXPECT_THROW(static_cast<void>(parse_check("{\"contract\": 1}")), Error);
+  EXPECT_THROW(static_cast<void>(parse_check("{\"contract\": 1.5}")), Error);
 }
 
 }  // namespace

@@ -79,6 +79,14 @@ TEST(CampaignWholeFile, LeavesNothingBesideItself) {
   EXPECT_FALSE(read_whole_file(directory.path() / "b").has_value());
 }
 
+TEST(CampaignWholeFile, IsNotReadBeyondItsLimit) {
+  const rouleau::testing::TemporaryDirectory directory;
+  write_whole_file(directory.path() / "a", "1234");
+  EXPECT_EQ(read_whole_file(directory.path() / "a", 4), "1234");
+  EXPECT_THROW(static_cast<void>(read_whole_file(directory.path() / "a", 3)), Error);
+  EXPECT_THROW(static_cast<void>(read_whole_file("/dev/zero", 100)), Error) << "it has no end";
+}
+
 TEST(CampaignWholeFile, FailureKeepsTheOldFile) {
   const rouleau::testing::TemporaryDirectory directory;
   write_whole_file(directory.path() / "a", "one");

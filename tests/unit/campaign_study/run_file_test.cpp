@@ -49,7 +49,7 @@ TEST_F(StudyWithMesh, CandidateNamesTheFileByItsPlaceAndThePointByItsCopy) {
   const NamedFiles files = find_named_files(study);
   const NamedFile& file = files.at("meshes/cell.off");
   EXPECT_EQ(file.stored, "files/cell-" + digest_of("OFF one").substr(0, 8) + ".off");
-  const Combination combination = combinations(study).at(0);
+  const Combination combination = combination_of(study, 0);
   EXPECT_THAT(run_file_of(combination, files, FileNames::source, "t").text,
               HasSubstr("mesh_file = " + (directory_.path() / "meshes/cell.off").string() + "\n"));
   EXPECT_THAT(run_file_of(combination, files, FileNames::stored, "t").text,

@@ -16,7 +16,8 @@ Study study_of(const std::string& rest) { return parse_study("[study]\nname = s\
 /// "fluid.lambda=1 cell.replica=2" for each combination.
 std::vector<std::string> texts(const Study& study) {
   std::vector<std::string> all;
-  for (const Combination& combination : combinations(study)) {
+  for (std::size_t index = 0; index < static_cast<std::size_t>(count_of(study)); ++index) {
+    const Combination combination = combination_of(study, index);
     std::string text;
     for (const Entry& entry : combination.entries) text += (text.empty() ? "" : " ") + entry.name + "=" + entry.value;
     all.push_back(text);

@@ -5,13 +5,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <xxhash.h>
 
 #include <nlohmann/json.hpp>
 #include <set>
 #include <thread>
 
 #include "base/error.hpp"
+#include "storage/checksum.hpp"
 #include "storage/records.hpp"
+#include "storage/unfinished.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace rouleau::testing {
@@ -48,6 +51,25 @@ TEST_F(Attempts, NumbersCountUpAndTokensDiffer) {
   EXPECT_EQ(second.number(), 2);
   EXPECT_NE(first.token(), second.token());
   EXPECT_EQ(content_of(run / "attempts/2/owner"), second.token() + "\n");
+}
+
+TEST_F(Attempts, NewerOneLeavesOlderOnesNothingToRename) {
+  Attempt::claim(files, run);
+  std::filesystem::create_directory(run / "checkpoints");
+  const std::vector<std::string> of_older{"checkpoints/000000000010.h5.a1.tmp", "samples.csv.a1.tmp"};
+  const std::vector<std::string> of_others{"samples.csv.a3.tmp", "notes.tmp", "notes.a1"};
+  for (const std::string& name : of_older) set_content(run / name, "half");
+  for (const std::string& name : of_others) set_content(run / name, "x");
+  Attempt::claim(files, run);
+  for (const std::string& name : of_older) EXPECT_FALSE(std::filesystem::exists(run / name)) << name;
+  for (const std::string& name : of_others) EXPECT_TRUE(std::filesystem::exists(run / name)) << name;
+}
+
+TEST_F(Attempts, TakenOverBetweenFenceAndRenameNothingIsRenamed) {
+  Attempt::claim(files, run);
+  const auto passes_and_is_taken_over = [&] { Attempt::claim(files, run); };
+  EXPECT_EQ(code_of([&] { write_fenced(files, run / "progress.json", "{}", 1, passes_and_is_taken_over); }), Exit::io);
+  EXPECT_FALSE(std::filesystem::exists(run / "progress.json"));
 }
 
 TEST_F(Attempts, NewerOneFencesTheOlderOff) {
@@ -133,11 +155,22 @@ TEST_F(Attempts, ExitRecordHasTheContractsEntries) {
   for (const auto& [name, value] : written.items()) names.insert(name);
   EXPECT_EQ(names, (std::set<std::string>{"contract", "code", "reason", "step", "end_step", "start_step", "wall_s",
                                           "core_s", "ranks", "mlups", "host", "resumed_from", "rejected_checkpoints",
-                                          "version", "git", "finished_unix_s"}));
+                                          "version", "git", "finished_unix_s", "check"}));
   EXPECT_EQ(written.at("code"), 75);
   EXPECT_EQ(written.at("reason"), record.reason);
   EXPECT_EQ(written.at("rejected_checkpoints").at(0).at("why"), "damaged");
   EXPECT_FALSE(std::filesystem::exists(run / "attempts/1/exit.json.tmp"));
+}
+
+TEST_F(Attempts, LastEntryOfARecordVouchesForAllBeforeIt) {
+  const Attempt attempt = Attempt::claim(files, run);
+  ExitRecord record;
+  record.reason = "it says \"check\": \"\xff\", which is no text";
+  write_exit_record(files, attempt.directory(), record);
+  const std::string text = content_of(run / "attempts/1/exit.json");
+  const std::string before = text.substr(0, text.rfind(','));
+  EXPECT_EQ(text.substr(before.size()), ",\n \"check\": \"" + hex(XXH64(before.data(), before.size(), 0)) + "\"\n}\n");
+  EXPECT_TRUE(Json::parse(text).contains("reason"));
 }
 
 TEST_F(Attempts, ProgressHasTheContractsEntriesAndIsFenced) {
@@ -155,7 +188,7 @@ TEST_F(Attempts, ProgressHasTheContractsEntriesAndIsFenced) {
   for (const auto& [name, value] : written.items()) names.insert(name);
   EXPECT_EQ(names, (std::set<std::string>{"contract", "attempt", "token", "step", "end_step", "time_s", "end_time_s",
                                           "steps_per_s", "mlups", "eta_s", "checkpoint_step", "checkpoint_unix_s",
-                                          "checkpoint_ms", "d_um", "asphericity", "updated_unix_s"}));
+                                          "checkpoint_ms", "d_um", "asphericity", "updated_unix_s", "check"}));
   EXPECT_EQ(written.at("updated_unix_s").get<double>(), 1790000031.2);
   const Attempt newer = Attempt::claim(files, run);
   EXPECT_EQ(code_of([&] { write_progress(files, attempt, progress); }), Exit::superseded);

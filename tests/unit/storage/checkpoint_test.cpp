@@ -8,6 +8,7 @@
 #include "storage/generations.hpp"
 #include "storage/inspect.hpp"
 #include "storage/resume.hpp"
+#include "storage/unfinished.hpp"
 #include "support/file_system_double.hpp"
 #include "support/shared_directory.hpp"
 #include "support/small_state.hpp"
@@ -193,13 +194,14 @@ TEST_F(Checkpoint, SupersededSolverLeavesTheDirectoryAsItWas) {
 TEST_F(Checkpoint, LeftoversOfCrashedWritersAreRemovedButNotThoseOfASuccessor) {
   save<float>(10);
   if (comm.is_root()) {
-    set_content(place.directory / unfinished_name(15, 1), "torn");
-    set_content(place.directory / unfinished_name(15, 2), "being written by attempt 2");
+    set_content(place.directory / unfinished_name(checkpoint_name(15), 1), "torn");
+    set_content(place.directory / unfinished_name(checkpoint_name(15), 2), "being written by attempt 2");
   }
   save<float>(20);
   comm.barrier();
-  EXPECT_EQ(list_directory(files, place.directory),
-            (std::vector<std::string>{checkpoint_name(10), unfinished_name(15, 2), checkpoint_name(20)}));
+  EXPECT_EQ(
+      list_directory(files, place.directory),
+      (std::vector<std::string>{checkpoint_name(10), unfinished_name(checkpoint_name(15), 2), checkpoint_name(20)}));
 }
 
 TEST_F(Checkpoint, EstimateIsAnUpperBoundAndNotFarOff) {

@@ -187,7 +187,11 @@ TEST_F(Resume, ParameterThatOneSideDoesNotKnowCountsAsItsDefault) {
   expected.parameters.erase("new.option");
   metadata.parameters["old.option"].value = "2";
   save(20);
-  EXPECT_THAT(refusal().what(), HasSubstr("`old.option` was 2, the run has no such parameter"));
+  const Resumed resumed = load();
+  EXPECT_EQ(resumed.metadata->step, 10) << "one foreign file among our own";
+  ASSERT_EQ(resumed.rejected.size(), 1U);
+  EXPECT_TRUE(resumed.rejected[0].foreign);
+  EXPECT_THAT(resumed.rejected[0].why, HasSubstr("`old.option` was 2, the run has no such parameter"));
 }
 
 TEST_F(Resume, ChangedContentOfAFileInTheRunFileIsRefused) {

@@ -34,7 +34,7 @@ class Samples : public ::testing::Test {
   SampleLog log = make();
 
   SampleLog make() {
-    return SampleLog(files, path, columns, [this] {
+    return SampleLog(files, path, columns, 1, [this] {
       if (superseded) fail(Exit::superseded, "a newer attempt exists");
     });
   }
@@ -151,7 +151,7 @@ TEST_F(Samples, OtherColumnsAreAnObstacle) {
   log.start();
   add(log, 0, 3);
   const SampleLogPosition counted = log.sync();
-  const SampleLog other(files, path, {"step", "cell"}, [] {});
+  const SampleLog other(files, path, {"step", "cell"}, 1, [] {});
   EXPECT_THAT(other.obstacle(counted).value(), HasSubstr("other columns"));
 }
 
@@ -162,7 +162,7 @@ TEST_F(Samples, LogOfAnOlderVersionGoesOnWithTheColumnsItHas) {
   add(log, 3, 6);
   const std::string undisturbed = content_of(path);
 
-  SampleLog newer(files, path, {"step", "new", "time_s", "cell", "d_um", "newer"}, [] {});
+  SampleLog newer(files, path, {"step", "new", "time_s", "cell", "d_um", "newer"}, 1, [] {});
   ASSERT_FALSE(newer.obstacle(counted).has_value());
   newer.cut_back(counted);
   for (std::int64_t step = 3; step < 6; ++step) {
@@ -193,6 +193,17 @@ TEST_F(Samples, SupersededSolverAppendsNothing) {
   EXPECT_THROW(log.append(std::vector<SampleRow>{row(3)}), Error);
   EXPECT_THROW(log.cut_back(counted), Error);
   EXPECT_THROW(log.start(), Error);
+  EXPECT_EQ(content_of(path), before);
+}
+
+TEST_F(Samples, OlderAttemptThatStillHasTheLogOpenCannotReachIt) {
+  log.start();
+  add(log, 0, 3);
+  const SampleLogPosition counted = log.sync();
+  const std::string before = content_of(path);
+  SampleLog newer(files, path, columns, 2, [] {});
+  newer.cut_back(counted);
+  add(log, 3, 4);  // its fence was asked before there was a newer attempt
   EXPECT_EQ(content_of(path), before);
 }
 

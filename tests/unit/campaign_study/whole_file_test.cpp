@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Directories are made with all that is above them, or it is said why not.
+#include "study/whole_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "study/error.hpp"
+#include "support/temporary_directory.hpp"
+
+namespace rouleau::campaign {
+namespace {
+
+using rouleau::testing::set_content;
+using rouleau::testing::TemporaryDirectory;
+
+TEST(MakeDirectories, MakesThoseAboveToo) {
+  const TemporaryDirectory place;
+  make_directories(place.path() / "a/b/c");
+  make_directories(place.path() / "a/b/c");
+  EXPECT_TRUE(std::filesystem::is_directory(place.path() / "a/b/c"));
+}
+
+TEST(MakeDirectories, FileInTheWayIsNamed) {
+  const TemporaryDirectory place;
+  set_content(place.path() / "a", "");
+  try {
+    make_directories(place.path() / "a/b");
+    FAIL() << "was made";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("/a"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace rouleau::campaign
