@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every file-system call of `rouleau init` and `rouleau run`, those of SQLite included, fails or kills the manager, one
+// after the other; the plain command again finishes the campaign as if nothing had been.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "crash/faults/plan.hpp"
+#include "support/campaign_outcome.hpp"
+#include "support/fault_shim/call_log.hpp"
+
+namespace rouleau::testing {
+namespace {
+
+constexpr const char* manager_program = "rouleau";
+
+void write_small_study(const CampaignProgram& program) {
+  program.write_study("fluid.lambda = 1, 8", CampaignProgram::execution());
+}
+
+/// Runs `rouleau WORDS` undisturbed.   returns its calls
+std::vector<RecordedCall> recorded(const CampaignProgram& program, const std::vector<std::string>& words) {
+  Faults faults(program.path(), manager_program, {});
+  faults.record();
+  const auto end = program.rouleau(words);
+  EXPECT_EQ(end.status, 0) << end.err;
+  return read_calls(faults.log());
+}
+
+/// Runs `rouleau WORDS` with the fault.
+void disturb(const CampaignProgram& program, const std::vector<std::string>& words, const Injection& injection) {
+  const Faults faults(program.path(), manager_program, injection);
+  const auto end = program.rouleau(words);
+  if (faults.injected() == 0) {
+    EXPECT_EQ(end.status, 0) << end.err;
+    return;
+  }
+  count(injection);
+  if (injection.fault == Fault::brief) {
+    EXPECT_EQ(end.status, 0) << end.err;
+  }
+  // What it could not do it says, and how to go on; a start that failed and was repeated ends nothing.
+  if (injection.fault == Fault::error && end.status != 0) {
+    EXPECT_EQ(end.status, 1) << end.err;
+    const bool is_full = injection.error_number != EIO;
+    const char* const remedy = is_full ? "free space|has room|have room|make room" : ".";
+    EXPECT_THAT(end.err, ::testing::ContainsRegex(remedy));
+  }
+}
+
+/// The plain commands; expects what an undisturbed campaign has.
+void expect_undisturbed_end(const CampaignProgram& program, const CampaignOutcome& expected) {
+  const auto end = program.run();
+  EXPECT_EQ(end.status, 0) << end.out << end.err;
+  EXPECT_TRUE(program.jobs().empty()) << "a process is left over";
+  const CampaignOutcome found = outcome_of(program);
+  if (found.logs != expected.logs) ++tally().lost_samples;
+  EXPECT_EQ(found.points, expected.points);
+  EXPECT_EQ(found.parameters, expected.parameters);
+  EXPECT_EQ(found.samples, expected.samples);
+  EXPECT_EQ(found.results, expected.results);
+  EXPECT_EQ(found.logs, expected.logs);
+  const auto check = program.rouleau({"verify", "c"});
+  EXPECT_EQ(check.status, 0) << check.out << check.err;
+}
+
+class CampaignFaults : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    write_small_study(undisturbed);
+    calls_of_init = recorded(undisturbed, {"init", "study.ini", "c"});
+    calls_of_run = recorded(undisturbed, {"run", "c"});
+    end = outcome_of(undisturbed);
+  }
+  CampaignProgram undisturbed;
+  std::vector<RecordedCall> calls_of_init, calls_of_run;
+  CampaignOutcome end;
+};
+
+TEST_F(CampaignFaults, InInitLeaveNoTrace) {
+  fmt::print("{} calls\n", calls_of_init.size());
+  for (const Injection& injection : planned_faults(calls_of_init, 14)) {
+    SCOPED_TRACE(fmt::format("{} at call {} of {}", name_of(injection), injection.at, calls_of_init.size()));
+    const CampaignProgram program;
+    write_small_study(program);
+    disturb(program, {"init", "study.ini", "c"}, injection);
+    const auto again = program.init();
+    EXPECT_EQ(again.status, 0) << again.err;
+    expect_undisturbed_end(program, end);
+    if (HasFailure() && !is_long_form()) return;
+  }
+}
+
+TEST_F(CampaignFaults, InRunLeaveNoTrace) {
+  fmt::print("{} calls\n", calls_of_run.size());
+  for (const Injection& injection : planned_faults(calls_of_run, 28)) {
+    SCOPED_TRACE(fmt::format("{} at call {} of {}", name_of(injection), injection.at, calls_of_run.size()));
+    const CampaignProgram program;
+    write_small_study(program);
+    ASSERT_EQ(program.init().status, 0);
+    disturb(program, {"run", "c"}, injection);
+    expect_undisturbed_end(program, end);
+    if (HasFailure() && !is_long_form()) return;
+  }
+}
+
+}  // namespace
+}  // namespace rouleau::testing

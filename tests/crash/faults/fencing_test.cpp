@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two live solvers on one run directory: the older one, frozen at any of its file-system calls and thawed when the
+// newer one is under way or done, stops with 76 and changes nothing that the newer one has written.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <future>
+#include <map>
+
+#include "crash/faults/busy_run.hpp"
+#include "crash/faults/plan.hpp"
+
+namespace rouleau::testing {
+namespace {
+
+/// A solver that is stopped at a call, until it is thawed.
+class Frozen {
+ public:
+  Frozen(const BusyRun& run, int ranks, std::int64_t at)
+      : at_(at),
+        faults_(run.directory(), solver_program, {at, Fault::stop}),
+        end_(std::async(std::launch::async, [&run, ranks] { return run.run(ranks); })) {
+    is_frozen_ = has_stopped(faults_, [this] { return is_over(); });
+    faults_.let_go();
+  }
+  [[nodiscard]] bool is_frozen() const { return is_frozen_; }
+  /// Thaws it and waits for its end.
+  Finished thaw() {
+    if (is_frozen_) ::kill(faults_.victim(), SIGCONT);
+    return end_.get();
+  }
+
+  /// Its calls from the one it was stopped at.
+  [[nodiscard]] std::int64_t calls_since() const { return faults_.calls() - at_; }
+
+ private:
+  [[nodiscard]] bool is_over() const { return end_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
+
+  std::int64_t at_;
+  Faults faults_;
+  std::future<Finished> end_;
+  bool is_frozen_ = false;
+};
+
+/// All files of the run but those of the attempts, which are each one's own.
+std::map<std::string, std::string> shared_files(const BusyRun& run) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(run.directory())) {
+    const std::string name = entry.path().lexically_relative(run.directory()).string();
+    if (entry.is_regular_file() && !name.starts_with("attempts/")) files[name] = content_of(entry.path());
+  }
+  return files;
+}
+
+void expect_same_files(const std::map<std::string, std::string>& before,
+                       const std::map<std::string, std::string>& after) {
+  for (const auto& [name, content] : after) {
+    const auto found = before.find(name);
+    EXPECT_TRUE(found != before.end()) << name << " has appeared";
+    if (found != before.end()) {
+      EXPECT_TRUE(found->second == content) << name << " has changed";
+    }
+  }
+  for (const auto& [name, content] : before) EXPECT_TRUE(after.contains(name)) << name << " is gone";
+}
+
+/// The calls between which an older attempt must be stopped by the fence: it has claimed, and has something left to
+/// finish that all attempts share. Behind them it makes `rest` calls.
+struct Span {
+  std::int64_t first = 0, last = 0, rest = 0;
+};
+Span fenced_span(const std::vector<RecordedCall>& calls) {
+  Span span;
+  for (const RecordedCall& call : calls) {
+    if (call.name == "mkdir" && call.path.ends_with("/attempts/1")) span.first = call.number + 1;
+    if (call.name == "rename" && call.other.ends_with("/progress.json")) span.last = call.number;
+  }
+  EXPECT_LT(span.first, span.last);
+  span.rest = static_cast<std::int64_t>(calls.size()) - span.last;
+  return span;
+}
+
+struct Undisturbed {
+  explicit Undisturbed(int ranks) {
+    const BusyRun run;
+    span = fenced_span(recorded(run, ranks));
+    end = run.fingerprint();
+  }
+  Span span;
+  std::string end;
+};
+
+void expect_superseded(Frozen& frozen, const Span& span) {
+  const Finished older = frozen.thaw();
+  // On a fast machine a run may make fewer checkpoints than the recorded one, and have been at its end.
+  if (older.code == 0 && frozen.calls_since() <= span.rest) return;
+  EXPECT_EQ(older.code, 76) << older.err;
+  EXPECT_NE(older.err.find("has taken over"), std::string::npos) << older.err;
+}
+
+void expect_undisturbed_end(const BusyRun& run, const std::string& end) {
+  const std::string found = run.fingerprint();
+  if (found != end) ++tally().lost_samples;
+  EXPECT_EQ(found, end);
+  run.finish();
+  const nlohmann::json record = run.exit_record();
+  EXPECT_EQ(record.at("resumed_from"), "checkpoints/000000000048.h5");
+  EXPECT_TRUE(record.at("rejected_checkpoints").empty()) << record;
+}
+
+void expect_older_stops_behind_a_finished_newer(int ranks, int sample) {
+  const Undisturbed undisturbed(ranks);
+  const Span& span = undisturbed.span;
+  for (const std::int64_t place : planned_places(span.last - span.first + 1, sample)) {
+    const std::int64_t at = span.first + place - 1;
+    SCOPED_TRACE(fmt::format("frozen at call {}, {} to {} are fenced", at, span.first, span.last));
+    const BusyRun run;
+    Frozen older(run, ranks, at);
+    if (!older.is_frozen()) continue;
+    ++tally().freezes;
+    run.finish(ranks);
+    const auto before = shared_files(run);
+    expect_superseded(older, span);
+    expect_same_files(before, shared_files(run));
+    expect_undisturbed_end(run, undisturbed.end);
+    if (::testing::Test::HasFailure() && !is_long_form()) return;
+  }
+}
+
+TEST(Fencing, OlderAttemptFrozenAtAnyCallStopsBehindAFinishedNewerOne) {
+  expect_older_stops_behind_a_finished_newer(1, 10);
+}
+
+TEST(Fencing, OlderAttemptOnTwoRanksToo) { expect_older_stops_behind_a_finished_newer(2, 2); }
+
+TEST(Fencing, NewerAttemptInMidRunDoesNotNoticeTheOlderOne) {
+  const Undisturbed undisturbed(1);
+  const Span& span = undisturbed.span;
+  // Both are frozen at several calls each; coprime strides bring many pairs.
+  const std::int64_t length = span.last - span.first + 1;
+  for (const std::int64_t place : planned_places(length, 6)) {
+    const std::int64_t older_at = span.first + place - 1;
+    const std::int64_t newer_at = span.first + (7 * place) % length;
+    SCOPED_TRACE(fmt::format("older frozen at call {}, newer at {} of {}", older_at, newer_at, span.last));
+    const BusyRun run;
+    Frozen older(run, 1, older_at);
+    if (!older.is_frozen()) continue;
+    Frozen newer(run, 1, newer_at);
+    tally().freezes += 1 + (newer.is_frozen() ? 1 : 0);
+    expect_superseded(older, span);
+    const Finished end = newer.thaw();
+    EXPECT_EQ(end.code, 0) << end.err;
+    expect_undisturbed_end(run, undisturbed.end);
+    if (::testing::Test::HasFailure() && !is_long_form()) return;
+  }
+}
+
+}  // namespace
+}  // namespace rouleau::testing

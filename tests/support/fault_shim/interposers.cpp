@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The functions of the C library by which programs change files, under their own names: a library loaded first takes
+// the place of the C library's, and calls it.
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <sys/stat.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdarg>
+#include <string>
+
+#include "watch.hpp"
+
+using rouleau::testing::absolute_path;
+using rouleau::testing::count_call;
+using rouleau::testing::is_watched;
+using rouleau::testing::path_of;
+using rouleau::testing::record_call;
+using rouleau::testing::Treatment;
+using rouleau::testing::Turn;
+using rouleau::testing::WatchedCall;
+
+namespace {
+
+/// The C library's own function of that name.
+template <class Function>
+Function* original(const char* name) {
+  return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
+}
+
+/// Does a call that is no write, unless it is to fail.
+template <class Do>
+auto watched(const WatchedCall& call, const Do& work) -> decltype(work()) {
+  if (!is_watched(call.path)) return work();
+  const Turn turn;
+  if (const Treatment treatment = count_call(call); treatment.error_number != 0) {
+    errno = treatment.error_number;
+    return -1;
+  }
+  const auto result = work();
+  record_call(call, static_cast<std::int64_t>(result));
+  return result;
+}
+
+/// Does a write of `call.count` bytes by `work(count)`, all of it, half, or none.
+template <class Do>
+ssize_t watched_write(const WatchedCall& call, const Do& work) {
+  if (!is_watched(call.path)) return work(call.count);
+  const Turn turn;
+  const Treatment treatment = count_call(call);
+  if (treatment.error_number != 0) {
+    errno = treatment.error_number;
+    return -1;
+  }
+  const ssize_t result = work(treatment.is_halved ? call.count / 2 : call.count);
+  if (treatment.is_fatal) ::kill(::getpid(), SIGKILL);
+  record_call(call, result);
+  return result;
+}
+
+using OpenAt = int(int, const char*, int, mode_t);
+
+int open_watched(int directory, const char* name, int flags, mode_t mode) {
+  static OpenAt* const real = reinterpret_cast<OpenAt*>(original<int(int, const char*, int, ...)>("openat"));
+  const WatchedCall call{(flags & O_TRUNC) != 0 ? "open_empty" : "open",
+                         absolute_path(directory, name),
+                         {},
+                         flags,
+                         nullptr,
+                         0,
+                         (flags & O_CREAT) != 0};
+  return watched(call, [&] { return real(directory, name, flags, mode); });
+}
+
+mode_t mode_of(int flags, va_list list) {
+  return (flags & (O_CREAT | __O_TMPFILE)) != 0 ? static_cast<mode_t>(va_arg(list, unsigned)) : 0;
+}
+
+off_t position_of(int file) {
+  if ((::fcntl(file, F_GETFL) & O_APPEND) != 0) return -1;
+  return ::lseek(file, 0, SEEK_CUR);
+}
+
+ssize_t pwrite_watched(int file, const void* bytes, std::size_t count, off_t offset) {
+  static auto* const real = original<ssize_t(int, const void*, size_t, off_t)>("pwrite");
+  return watched_write({"pwrite", path_of(file), {}, offset, bytes, count, true},
+                       [&](std::size_t some) { return real(file, bytes, some, offset); });
+}
+
+int truncate_watched(int file, off_t length) {
+  static auto* const real = original<int(int, off_t)>("ftruncate");
+  return watched({"ftruncate", path_of(file), {}, length}, [&] { return real(file, length); });
+}
+
+int allocate_watched(int file, off_t offset, off_t length) {
+  static auto* const real = original<int(int, off_t, off_t)>("posix_fallocate");
+  const WatchedCall call{"posix_fallocate", path_of(file), {}, offset, nullptr, static_cast<std::size_t>(length), true};
+  int error = 0;
+  const int result = watched(call, [&] {
+    error = real(file, offset, length);
+    return error == 0 ? 0 : -1;
+  });
+  return result == 0 ? 0 : error != 0 ? error : errno;
+}
+
+}  // namespace
+
+// clang-format off
+extern "C" {
+
+#define OPEN(name)                                                   \
+  int name(const char* path, int flags, ...) {                       \
+    va_list list;                                                    \
+    va_start(list, flags);                                           \
+    const mode_t mode = mode_of(flags, list);                        \
+    va_end(list);                                                    \
+    return open_watched(AT_FDCWD, path, flags, mode);                \
+  }
+#define OPEN_AT(name)                                                \
+  int name(int directory, const char* path, int flags, ...) {        \
+    va_list list;                                                    \
+    va_start(list, flags);                                           \
+    const mode_t mode = mode_of(flags, list);                        \
+    va_end(list);                                                    \
+    return open_watched(directory, path, flags, mode);               \
+  }
+// clang-format on
+OPEN(open)
+OPEN(open64)
+OPEN_AT(openat)
+OPEN_AT(openat64)
+int __open_2(const char* path, int flags) { return open_watched(AT_FDCWD, path, flags, 0); }
+int __open64_2(const char* path, int flags) { return open_watched(AT_FDCWD, path, flags, 0); }
+int __openat_2(int directory, const char* path, int flags) { return open_watched(directory, path, flags, 0); }
+int __openat64_2(int directory, const char* path, int flags) { return open_watched(directory, path, flags, 0); }
+int creat(const char* path, mode_t mode) { return open_watched(AT_FDCWD, path, O_CREAT | O_WRONLY | O_TRUNC, mode); }
+
+ssize_t write(int file, const void* bytes, size_t count) {
+  static auto* const real = original<ssize_t(int, const void*, size_t)>("write");
+  const std::string path = path_of(file);
+  if (!is_watched(path)) return real(file, bytes, count);
+  return watched_write({"write", path, {}, position_of(file), bytes, count, true},
+                       [&](std::size_t some) { return real(file, bytes, some); });
+}
+
+/// As single writes: nobody may rely on a writev that does everything.
+ssize_t writev(int file, const iovec* parts, int count) {
+  static auto* const real = original<ssize_t(int, const iovec*, int)>("writev");
+  if (!is_watched(path_of(file))) return real(file, parts, count);
+  ssize_t all = 0;
+  for (int i = 0; i < count; ++i) {
+    const ssize_t done = write(file, parts[i].iov_base, parts[i].iov_len);
+    if (done < 0) return all > 0 ? all : -1;
+    all += done;
+    if (static_cast<size_t>(done) < parts[i].iov_len) break;
+  }
+  return all;
+}
+
+ssize_t pwrite(int file, const void* bytes, size_t count, off_t offset) {
+  return pwrite_watched(file, bytes, count, offset);
+}
+ssize_t pwrite64(int file, const void* bytes, size_t count, off64_t offset) {
+  return pwrite_watched(file, bytes, count, offset);
+}
+int ftruncate(int file, off_t length) noexcept { return truncate_watched(file, length); }
+int ftruncate64(int file, off64_t length) noexcept { return truncate_watched(file, length); }
+int posix_fallocate(int file, off_t offset, off_t length) { return allocate_watched(file, offset, length); }
+int posix_fallocate64(int file, off64_t offset, off64_t length) { return allocate_watched(file, offset, length); }
+
+int fsync(int file) {
+  static auto* const real = original<int(int)>("fsync");
+  return watched({"fsync", path_of(file)}, [&] { return real(file); });
+}
+int fdatasync(int file) {
+  static auto* const real = original<int(int)>("fdatasync");
+  return watched({"fsync", path_of(file)}, [&] { return real(file); });
+}
+
+/// The file is closed even when close is to fail: so Linux does.
+int close(int file) {
+  static auto* const real = original<int(int)>("close");
+  const std::string path = path_of(file);
+  if (!is_watched(path)) return real(file);
+  const Turn turn;
+  const WatchedCall call{"close", path};
+  const Treatment treatment = count_call(call);
+  const int result = real(file);
+  if (treatment.error_number != 0) {
+    errno = treatment.error_number;
+    return -1;
+  }
+  record_call(call, result);
+  return result;
+}
+
+int rename(const char* from, const char* to) noexcept {
+  static auto* const real = original<int(const char*, const char*)>("rename");
+  return watched({"rename", absolute_path(AT_FDCWD, from), absolute_path(AT_FDCWD, to)},
+                 [&] { return real(from, to); });
+}
+int unlink(const char* path) noexcept {
+  static auto* const real = original<int(const char*)>("unlink");
+  return watched({"unlink", absolute_path(AT_FDCWD, path)}, [&] { return real(path); });
+}
+int unlinkat(int directory, const char* path, int flags) noexcept {
+  static auto* const real = original<int(int, const char*, int)>("unlinkat");
+  return watched({"unlink", absolute_path(directory, path)}, [&] { return real(directory, path, flags); });
+}
+int remove(const char* path) noexcept {
+  static auto* const real = original<int(const char*)>("remove");
+  return watched({"unlink", absolute_path(AT_FDCWD, path)}, [&] { return real(path); });
+}
+int mkdir(const char* path, mode_t mode) noexcept {
+  static auto* const real = original<int(const char*, mode_t)>("mkdir");
+  const WatchedCall call{"mkdir", absolute_path(AT_FDCWD, path), {}, -1, nullptr, 0, true};
+  return watched(call, [&] { return real(path, mode); });
+}
+int link(const char* from, const char* to) noexcept {
+  static auto* const real = original<int(const char*, const char*)>("link");
+  return watched({"link", absolute_path(AT_FDCWD, from), absolute_path(AT_FDCWD, to)}, [&] { return real(from, to); });
+}
+
+}  // extern "C"
