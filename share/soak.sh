@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Faults on purpose, the long form: kills, failing calls, damage, hostile input. Figures on stdout and in build/soak.json.
-#   share/soak.sh        some hours on two cores; ends with 1 if anything was lost
+#   share/soak.sh             every call of every program: some hours on two cores; ends with 1 if anything was lost
+#   FAULTS=60 share/soak.sh   60 of the calls: about an hour
 # Each part prints a line of figures, {"kills": 160, ...}; the same figure of several parts is added up.
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
