@@ -56,11 +56,13 @@ void write_whole_file(const std::filesystem::path& file, std::string_view text) 
 }
 
 std::optional<std::string> read_whole_file(const std::filesystem::path& file, std::size_t most_bytes) {
-  const Descriptor in(file, O_RDONLY);
+  // A pipe in the file's place that nobody writes to would block the opening for ever; so it reads as empty.
+  const Descriptor in(file, O_RDONLY | O_NONBLOCK);
   if (in.fd() < 0) {
     if (errno == ENOENT || errno == ENOTDIR) return std::nullopt;
     fail_with_errno(file, "open");
   }
+  if (::fcntl(in.fd(), F_SETFL, O_RDONLY) != 0) fail_with_errno(file, "open");
   std::string text;
   char buffer[65536];
   for (;;) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Directories are made with all that is above them, or it is said why not.
+// Directories are made with all that is above them, or it is said why not; a pipe in a file's place blocks nobody.
 #include "study/whole_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "study/error.hpp"
 #include "support/temporary_directory.hpp"
@@ -29,6 +30,13 @@ TEST(MakeDirectories, FileInTheWayIsNamed) {
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("/a"), std::string::npos) << error.what();
   }
+}
+
+TEST(ReadWholeFile, PipeWithoutAWriterIsEmpty) {
+  const TemporaryDirectory place;
+  const auto pipe = place.path() / "exit.json";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0666), 0);
+  EXPECT_EQ(read_whole_file(pipe), "");
 }
 
 }  // namespace
