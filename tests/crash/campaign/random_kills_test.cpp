@@ -86,7 +86,8 @@ void report(const CampaignOutcome& expected, const CampaignOutcome& found, int k
 /// Runs `disturbed` under random kills, then to its end; expects what `undisturbed` has.
 void expect_no_trace(const CampaignProgram& undisturbed, const CampaignProgram& disturbed, int kills) {
   const auto begin = std::chrono::steady_clock::now();
-  ASSERT_EQ(undisturbed.run().status, 0);
+  const auto calm = undisturbed.run();
+  ASSERT_EQ(calm.status, 0) << calm.err << undisturbed.rouleau({"status", "c"}).out;
   const auto took = std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - begin);
 
   // What the undisturbed run took sets the pauses, half of it at the most: a fast machine, or one that was busy only
