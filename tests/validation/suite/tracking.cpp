@@ -72,8 +72,8 @@ RunFindings follow_run(const CampaignPoint& point) {
   const RunParameters& parameters = run.setup().run.parameters;
   RunFindings found{parameters.numerics.correction_interval, {}, {}};
   for (const std::int64_t other : {std::int64_t{50}, 10 * found.interval, std::int64_t{0}})
-    found.others.emplace_back(Tracking::vertex_normals, other, run.lattice(), run.cells());
-  for (const Tracking variant : {Tracking::vertex_normals_wide, Tracking::face_normals})
+    found.others.emplace_back(Tracking::face_normals, other, run.lattice(), run.cells());
+  for (const Tracking variant : {Tracking::vertex_normals, Tracking::vertex_normals_wide})
     found.others.emplace_back(variant, found.interval, run.lattice(), run.cells());
 
   run.run([&](std::int64_t step) {
@@ -101,14 +101,14 @@ void judge(Suite& suite, const std::string& what, const Worst& own) {
 void report_run(Suite& suite, const CampaignPoint& point, const std::string& study, bool is_judged) {
   const RunFindings found = follow_run(point);
   const std::string name = fmt::format("{}, {}", study, point.text("swept"));
-  const std::string own = fmt::format("{}: vertex normals, corrected every {} steps", name, found.interval);
+  const std::string own = fmt::format("{}: face normals, corrected every {} steps", name, found.interval);
   if (is_judged)
     judge(suite, own, found.own);
   else
     suite.figure(own + ": wrong flags / shell, at most", found.own.wrong_share, also(found.own));
   for (const Follower& other : found.others) {
     const std::string what = fmt::format("{}: {}", name, other.name());
-    if (is_judged && other.variant() == Tracking::face_normals)
+    if (is_judged && other.variant() == Tracking::vertex_normals)
       judge(suite, what, other.worst());
     else
       suite.figure(what + ": wrong flags / shell, at most", other.worst().wrong_share, also(other.worst()));
