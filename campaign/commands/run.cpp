@@ -67,10 +67,10 @@ class Run {
         return;
       }
       mood_ = Mood::stopping;
-      progress_.say(
-          fmt::format("stopping: {} jobs are asked to write a checkpoint and end. Ctrl-C again leaves without "
-                      "waiting for them.",
-                      manager_.living().size()));
+      progress_.say(has_jobs() ? fmt::format("stopping: {} jobs are asked to write a checkpoint and end. Ctrl-C again "
+                                             "leaves without waiting for them.",
+                                             manager_.living().size())
+                               : "stopping: no job runs");
       manager_.ask_to_stop();
     }
   }

@@ -297,8 +297,7 @@ Rows numerics_rows() {
            "0: the paper's way, in which triangles collapse and fold sooner or later"),
       real("numerics", "fold_resistance", "2", 0, 100, numerics<&P::fold_resistance>,
            "energy, in kappa_B, of edges sharper than 60 degrees, without bound where they fold flat; 0: the paper's "
-           "way, "
-           "in which a rim narrower than an edge closes like a book"),
+           "way, in which a rim narrower than an edge closes like a book"),
       choice("numerics", "advection", "euler", {"euler", "adams_bashforth", "averaged"}, numerics<&P::advection>,
              "of the vertices; averaged: by the mean velocity of two steps, which the 2- and 3-point kernels need")
           .with_cells(),

@@ -109,6 +109,7 @@ TEST_F(FullCampaign, PointsWaitForRoomAndThenStartByThemselves) {
   const pid_t manager = program.start({"run", "c"});
   EXPECT_TRUE(eventually([&] { return has_said("Points wait until there is room"); })) << program.messages();
   EXPECT_TRUE(has_said("a start needs")) << program.messages();
+  EXPECT_TRUE(has_said("the points left will need")) << "said before anything is started: " << program.messages();
   disk.make_room();
   EXPECT_EQ(CampaignProgram::wait_for(manager), 0) << program.messages();
   expect_undisturbed_end();
