@@ -9,6 +9,49 @@
 
 namespace rouleau::campaign {
 
+LifeOf life_by_files() {
+  return {[](const ProcessIdentity& process) { return life_of(process); },
+          [](const JobAttempt& attempt) {
+            JobTrace trace;
+            trace.answered = false;
+            trace.exit_code = attempt.exit_code;
+            trace.status = attempt.status;
+            JobLife life = life_of_job(trace, 0);
+            life.words.clear();
+            return life;
+          }};
+}
+
+namespace {
+
+ExitRecord record_of(const ExitFile& exit) {
+  return {exit.code, exit.reason, exit.start_step.value_or(0), exit.step.value_or(0)};
+}
+
+/// The records first, the scheduler second: it was asked before, and what it says is weighed against them.
+void gather_job(Gathered& gathered, JobAttempt attempt, const LifeOf& life_of) {
+  Evidence& evidence = gathered.evidence;
+  const std::filesystem::path folder = attempt_directory(attempt.run_directory, attempt.number);
+  const std::optional<ExitFile> exit = read_exit_file(folder / "exit.json", gathered.warnings);
+  if (exit) attempt.exit_code = exit->code;
+  attempt.status = read_status_file(folder / "status", gathered.warnings);
+  const JobLife life = life_of.job(attempt);
+  gathered.job = attempt.job;
+  gathered.action = life.action;
+  gathered.is_shown = life.is_shown;
+  evidence.life = life.life;
+  evidence.cause = life.cause;
+  evidence.can_never_start = life.can_never_start;
+  evidence.engine_words = life.words;
+  if (exit) {
+    evidence.exit = record_of(*exit);
+  } else if (life.life == Life::dead) {
+    evidence.last_words = last_line(folder / "stderr");
+  }
+}
+
+}  // namespace
+
 Gathered gather(const std::filesystem::path& run_directory, int recorded_attempt, const LifeOf& life_of) {
   Gathered gathered;
   Evidence& evidence = gathered.evidence;
@@ -19,16 +62,20 @@ Gathered gather(const std::filesystem::path& run_directory, int recorded_attempt
   if (evidence.newest_attempt == 0) return gathered;
 
   const std::filesystem::path attempt = attempt_directory(run_directory, evidence.newest_attempt);
+  if (const std::optional<JobFile> job = read_job_file(attempt / "job", gathered.warnings)) {
+    gather_job(gathered, {run_directory, evidence.newest_attempt, *job, {}, {}}, life_of);
+    return gathered;
+  }
   std::optional<ProcessFile> file = read_process_file(attempt / "process.json", gathered.warnings);
   if (!file) file = read_process_file(attempt / "started.json", gathered.warnings);  // started by hand
   if (file) {
     gathered.process = {file->host, file->boot_id, file->pid, file->start_ticks};
     gathered.ranks = std::max(1, file->ranks);
-    evidence.life = life_of(gathered.process);
+    evidence.life = life_of.process(gathered.process);
   }
   // Life first, record second: a process that ends in between has then left its record already.
   if (const std::optional<ExitFile> exit = read_exit_file(attempt / "exit.json", gathered.warnings)) {
-    evidence.exit = ExitRecord{exit->code, exit->reason, exit->start_step.value_or(0), exit->step.value_or(0)};
+    evidence.exit = record_of(*exit);
   } else if (evidence.life == Life::dead) {
     evidence.last_words = last_line(attempt / "stderr");
   }

@@ -8,21 +8,39 @@
 #include <vector>
 
 #include "executor/process.hpp"
-#include "jobs/judge.hpp"
+#include "ingest/run_files.hpp"
+#include "jobs/job_life.hpp"
 #include "store/rows.hpp"
 
 namespace rouleau::campaign {
 
-/// The judge's evidence and the process it is about.
+/// The newest attempt, if it was handed to Slurm, as its files tell it.
+struct JobAttempt {
+  std::filesystem::path run_directory;
+  int number = 0;
+  JobFile job;
+  std::optional<int> exit_code, status;
+};
+
+/// The judge's evidence and the process or the job it is about.
 struct Gathered {
   Evidence evidence;
-  ProcessIdentity process;  ///< pid 0: none known
+  ProcessIdentity process;             ///< pid 0: none known
+  std::optional<JobFile> job;          ///< set: the attempt runs under Slurm
+  JobAction action = JobAction::none;  ///< what is to be done about the job
+  bool is_shown = false;               ///< the scheduler showed it, past our hold
   int ranks = 1;
   std::vector<std::string> warnings;  ///< damaged files
 };
 
-/// Says whether a process lives; an executor's `life`.
-using LifeOf = std::function<Life(const ProcessIdentity&)>;
+/// Says whether a process lives, and whether a job does.
+struct LifeOf {
+  std::function<Life(const ProcessIdentity&)> process;
+  std::function<JobLife(const JobAttempt&)> job;
+};
+
+/// For readers, who do not ask Slurm: its jobs count as alive until their own records end them.
+[[nodiscard]] LifeOf life_by_files();
 
 /// Reads a run directory. `recorded_attempt` is the newest attempt that the database knows (0 = none): if its folder is
 /// not there yet, the evidence is about it all the same, and empty.

@@ -42,15 +42,22 @@ AttemptRow foreign_attempt(const std::filesystem::path& run_directory, const std
 
 }  // namespace
 
-Manager::Manager(const std::filesystem::path& directory, const std::string& verb, Say say)
+Manager::Manager(const std::filesystem::path& directory, const std::string& verb, Say say, LockPatience patience)
     : directory_(existing_campaign(directory)),
       say_(std::move(say)),
-      lock_(directory_, verb),
+      lock_(directory_, verb, patience),
       store_(Store::open(directory_ / "campaign.db")),
       study_(parse_study(store_.campaign().study_text, directory_ / "study.ini")),
       policy_(policy_of(study_.execution)),
       breaker_(kept_breaker(store_, study_)),
-      allowed_(allowed_cores()) {}
+      allowed_(allowed_cores()) {
+  engine_.name = store_.setting(engine_setting).value_or(study_.execution.engine);
+  engine_.self_sustaining = store_.setting(self_sustaining_setting) == "1";
+  const std::vector<AttemptRow> open = store_.open_attempts();
+  const auto is_slurms = [](const AttemptRow& attempt) { return attempt.engine == slurm_engine; };
+  if (engine_.name == slurm_engine || std::any_of(open.begin(), open.end(), is_slurms))
+    open_slurm(cluster_file(directory_));
+}
 
 std::filesystem::path Manager::run_directory(const std::string& key) const { return point_directory(directory_, key); }
 
@@ -79,6 +86,7 @@ const LivingJob* Manager::living_job(const std::string& key) const {
 
 void Manager::reconcile(bool all) {
   executor_.reap();
+  look_at_queue();
   living_.clear();
   std::set<std::string> open;
   for (const AttemptRow& attempt : store_.open_attempts()) open.insert(attempt.point);
@@ -97,10 +105,11 @@ void Manager::reconcile(bool all) {
 }
 
 void Manager::settle(const PointRow& point) {
-  const std::optional<AttemptRow> newest = store_.newest_attempt(point.key);
-  const Gathered gathered = gather(run_directory(point.key), newest ? newest->number : 0,
-                                   [&](const ProcessIdentity& process) { return executor_.life(process); });
+  std::optional<AttemptRow> newest = store_.newest_attempt(point.key);
+  const Gathered gathered =
+      gather(run_directory(point.key), newest ? newest->number : 0, life_of_attempt(newest ? &*newest : nullptr));
   warn_of(gathered.warnings);
+  if (gathered.job) follow_job(point, newest ? &*newest : nullptr, gathered);
   const Evidence& evidence = gathered.evidence;
   const Recorded recorded = recorded_of(point, newest ? &*newest : nullptr);
   const Verdict verdict = judge(recorded, evidence, policy_);
@@ -108,8 +117,8 @@ void Manager::settle(const PointRow& point) {
   const bool is_open = recorded.attempt_is_open || evidence.newest_attempt > recorded.attempt;
   const bool is_unseen = is_open && evidence.life == Life::unknown && !evidence.exit && !is_final(point.state);
   if (evidence.life == Life::alive || is_unseen) {
-    living_.push_back(
-        {point.key, point.ordinal, evidence.newest_attempt, gathered.ranks, !is_unseen, gathered.process});
+    living_.push_back({point.key, point.ordinal, evidence.newest_attempt, gathered.ranks, !is_unseen, gathered.process,
+                       gathered.job, evidence.engine_words});
   }
   if (is_unseen) {
     warn_of(
@@ -218,17 +227,17 @@ void Manager::cancel(const PointRow& point) {
   store_.change_state(point.key, point.state, State::cancelled, "cancelled by the user");
   if (const std::optional<AttemptRow> newest = store_.newest_attempt(point.key);
       newest && newest->state != AttemptState::ended) {
-    const Gathered gathered = gather(run_directory(point.key), newest->number,
-                                     [&](const ProcessIdentity& process) { return executor_.life(process); });
-    executor_.ask_to_stop(gathered.process, run_directory(point.key), gathered.evidence.newest_attempt);
+    const Gathered gathered = gather(run_directory(point.key), newest->number, life_of_attempt(&*newest));
+    // A job of Slurm finds the stop file, now or when it starts.
+    if (!gathered.job) executor_.ask_to_stop(gathered.process, run_directory(point.key), newest->number);
   }
   say_(name_of(point) + ": cancelled");
 }
 
 void Manager::retry(const PointRow& point) {
   if (point.state == State::done || point.state == State::waiting || point.state == State::stopped) return;
-  const Gathered gathered =
-      gather(run_directory(point.key), 0, [&](const ProcessIdentity& process) { return executor_.life(process); });
+  const std::optional<AttemptRow> newest = store_.newest_attempt(point.key);
+  const Gathered gathered = gather(run_directory(point.key), 0, life_of_attempt(newest ? &*newest : nullptr));
   // A running point is taken over only if nobody can say whether it still runs; its old attempt is fenced off.
   if (point.state == State::running && gathered.evidence.life != Life::unknown) {
     say_(name_of(point) + ": is running; there is nothing to retry");

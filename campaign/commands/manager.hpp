@@ -5,12 +5,15 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "commands/evidence.hpp"
 #include "commands/request.hpp"
+#include "commands/slurm_engine.hpp"
+#include "executor/job_script.hpp"
 #include "executor/local.hpp"
 #include "executor/lock.hpp"
 #include "jobs/breaker.hpp"
@@ -29,6 +32,14 @@ struct LivingJob {
   int ranks = 1;
   bool is_seen = true;  ///< false: it runs (or ran) on another host
   ProcessIdentity process;
+  std::optional<JobFile> job;  ///< set: it runs under Slurm
+  std::string words;           ///< what Slurm says of it
+};
+
+/// Where new jobs are started, and whether they keep the campaign going by themselves.
+struct Engine {
+  std::string name = std::string(local_engine);
+  bool self_sustaining = false;  ///< Slurm: each job makes a pass over the campaign at its end
 };
 
 /// How many points of the study are in each state.
@@ -41,7 +52,13 @@ class Manager {
   using Say = std::function<void(const std::string&)>;
 
   /// Takes the lock and opens the database.   throws Error (not_found, locked, failed)
-  Manager(const std::filesystem::path& directory, const std::string& verb, Say say);
+  Manager(const std::filesystem::path& directory, const std::string& verb, Say say, LockPatience patience = {});
+
+  /// Sets the engine of this manager; keep_engine() of all later passes as well.
+  /// throws Error (usage) if Slurm is asked for and there is no such cluster file
+  void use_engine(const Engine& engine, const std::filesystem::path& cluster);
+  void keep_engine();
+  [[nodiscard]] const Engine& engine() const { return engine_; }
 
   /// Carries out the requests that `cancel` and `retry` left.
   void take_requests();
@@ -56,7 +73,10 @@ class Manager {
   /// Starts what can be started now.   returns how many
   int start();
 
-  /// Asks every living job of this host to write a checkpoint and end.
+  /// The job scripts that start() would submit now, without submitting anything or claiming an attempt.
+  [[nodiscard]] std::vector<std::string> scripts();
+
+  /// Asks every living job of this host to write a checkpoint and end. Jobs of Slurm go on.
   void ask_to_stop();
 
   /// Brings the samples of living points into the database.
@@ -69,10 +89,20 @@ class Manager {
   [[nodiscard]] double next_retry_in_s() const;
   [[nodiscard]] StateCounts counts() const;  ///< of points that the study names
   [[nodiscard]] bool is_paused() const { return breaker_.has_tripped(); }
+  /// Whether jobs of this host live.
+  [[nodiscard]] bool has_local_jobs() const;
+  /// Why Slurm did not answer in this pass; "" = it did, or was not needed.
+  [[nodiscard]] std::string engine_trouble() const { return slurm_ ? slurm_->trouble() : ""; }
+  /// Seconds between passes that suit the engine.
+  [[nodiscard]] double pass_interval_s() const;
   [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
 
  private:
+  void open_slurm(const std::filesystem::path& cluster);
+  void look_at_queue();
+  [[nodiscard]] LifeOf life_of_attempt(const AttemptRow* row) const;
   void settle(const PointRow& point);
+  void follow_job(const PointRow& point, AttemptRow* newest, const Gathered& gathered);
   void record(const PointRow& point, const AttemptRow* newest, const Gathered& gathered, const Verdict& verdict);
   void add_unknown_attempts(const PointRow& point, int recorded_attempt, const Gathered& gathered);
   void note_end(const PointRow& point, const Recorded& recorded, const Gathered& gathered, const Verdict& verdict);
@@ -85,6 +115,16 @@ class Manager {
   [[nodiscard]] bool has_room_for(const PointRow& point);
   [[nodiscard]] AttemptRow planned_attempt(const PointRow& point, const Cores& cores) const;
   bool start_point(const PointRow& point, const Cores& cores);
+  int start_here();
+  int submit();
+  [[nodiscard]] std::vector<std::vector<PointRow>> next_packs() const;
+  [[nodiscard]] JobScript script_of(const std::vector<AttemptRow>& attempts);
+  bool submit_pack(std::vector<PointRow> points);
+  void claim_pack(const std::vector<PointRow>& points, const std::vector<AttemptRow>& attempts,
+                  const JobScript& script);
+  [[nodiscard]] AttemptRow planned_job_attempt(const PointRow& point) const;
+  bool test_submission(const JobScript& script);
+  void write_job_file(const AttemptRow& attempt, const JobFile& job) const;
   void record_failed_launch(const PointRow& point, AttemptRow attempt, const std::string& why);
   [[nodiscard]] std::vector<Startable> startables() const;
   [[nodiscard]] Capacity capacity(const Cores& free) const;
@@ -92,6 +132,8 @@ class Manager {
   [[nodiscard]] const LivingJob* living_job(const std::string& key) const;
   [[nodiscard]] std::filesystem::path run_directory(const std::string& key) const;
   [[nodiscard]] std::string name_of(const PointRow& point);
+
+  static constexpr std::string_view engine_setting = "engine", self_sustaining_setting = "self_sustaining";
 
   std::filesystem::path directory_;
   Say say_;
@@ -101,6 +143,10 @@ class Manager {
   RetryPolicy policy_;
   Breaker breaker_;
   LocalExecutor executor_;
+  Engine engine_;
+  std::unique_ptr<SlurmEngine> slurm_;  ///< there if the engine is Slurm or an attempt of it is open
+  bool is_new_look_ = false;            ///< Slurm was asked in this pass
+  bool has_tested_submission_ = false;
   std::filesystem::path solver_;  ///< found when the first job is started
   Cores allowed_;
   std::vector<LivingJob> living_;

@@ -42,7 +42,7 @@ std::vector<Startable> Manager::startables() const {
 Cores Manager::free_cores_now() const {
   std::vector<Occupant> occupants;
   for (const LivingJob& job : living_) {
-    if (job.is_seen) occupants.push_back({cores_of(static_cast<pid_t>(job.process.pid)), job.ranks});
+    if (job.is_seen && !job.job) occupants.push_back({cores_of(static_cast<pid_t>(job.process.pid)), job.ranks});
   }
   return free_cores(allowed_, occupants);
 }
@@ -52,7 +52,9 @@ Capacity Manager::capacity(const Cores& free) const {
   const int ranks = static_cast<int>(execution.ranks);
   const int cores = static_cast<int>(allowed_.size());
   const int jobs = static_cast<int>(execution.jobs);
-  return {jobs > 0 ? jobs : std::max(1, cores / ranks), static_cast<int>(free.size()), ranks,
+  const auto jobs_of_slurm =
+      static_cast<int>(std::count_if(living_.begin(), living_.end(), [](const LivingJob& job) { return job.job; }));
+  return {jobs_of_slurm + (jobs > 0 ? jobs : std::max(1, cores / ranks)), static_cast<int>(free.size()), ranks,
           execution.oversubscribe != 0};
 }
 
@@ -61,6 +63,10 @@ int Manager::start() {
     warn_of({pause_text(breaker_)});
     return 0;
   }
+  return engine_.name == slurm_engine ? submit() : start_here();
+}
+
+int Manager::start_here() {
   Cores free = free_cores_now();
   const Capacity capacity = this->capacity(free);
   const int cores = static_cast<int>(allowed_.size());
@@ -70,10 +76,11 @@ int Manager::start() {
          "oversubscribe = 1.",
          capacity.ranks, cores);
   }
-  if (!capacity.oversubscribe && capacity.jobs * capacity.ranks > cores) {
+  const auto jobs = static_cast<int>(study_.execution.jobs);
+  if (!capacity.oversubscribe && jobs * capacity.ranks > cores) {
     warn_of(
         {fmt::format("jobs = {} of {} ranks do not fit on {} cores: {} run at a time (oversubscribe = 1 allows more)",
-                     capacity.jobs, capacity.ranks, cores, cores / capacity.ranks)});
+                     jobs, capacity.ranks, cores, cores / capacity.ranks)});
   }
   const std::vector<std::string> keys = choose_starts(startables(), capacity, now_unix_s());
   if (!keys.empty() && solver_.empty()) solver_ = find_solver();
@@ -173,7 +180,7 @@ bool Manager::start_point(const PointRow& point, const Cores& cores) {
   attempt.start_ticks = process.start_ticks;
   attempt.state = AttemptState::launched;
   store_.put_attempt(attempt);
-  living_.push_back({point.key, point.ordinal, attempt.number, attempt.ranks, true, process});
+  living_.push_back({point.key, point.ordinal, attempt.number, attempt.ranks, true, process, {}, ""});
   const char* where = cores.empty() ? "" : cores.size() > 1 ? ", on cores " : ", on core ";
   say_(fmt::format("{}: attempt {} started {}{}{}", name_of(point), attempt.number, how, where, to_text(cores)));
   return true;
@@ -196,10 +203,14 @@ void Manager::record_failed_launch(const PointRow& point, AttemptRow attempt, co
 
 void Manager::ask_to_stop() {
   for (const LivingJob& job : living_) {
-    if (!job.is_seen) continue;
+    if (!job.is_seen || job.job) continue;
     make_stop_file(run_directory(job.key));
     executor_.ask_to_stop(job.process, run_directory(job.key), job.attempt);
   }
+}
+
+bool Manager::has_local_jobs() const {
+  return std::any_of(living_.begin(), living_.end(), [](const LivingJob& job) { return job.is_seen && !job.job; });
 }
 
 bool Manager::has_work() const {

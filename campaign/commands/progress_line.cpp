@@ -16,13 +16,14 @@ namespace {
 
 constexpr auto terminal_interval = std::chrono::seconds(1);
 constexpr auto plain_interval = std::chrono::seconds(60);
+constexpr std::size_t most_jobs = 8;  // told one by one
 constexpr const char* to_line_start_and_erase = "\r\033[K";
 
 std::string job_text(const Manager& manager, const LivingJob& job) {
   std::vector<std::string> ignored;  // progress.json is replaced all the time; a bad one is not worth a word
   const auto progress = read_progress_file(point_directory(manager.directory(), job.key) / "progress.json", ignored);
   if (!progress || progress->attempt != job.attempt || progress->end_step <= 0)
-    return fmt::format("#{} starts", job.ordinal);
+    return fmt::format("#{} {}", job.ordinal, job.words.empty() ? "starts" : job.words);
   const double percent = 100.0 * static_cast<double>(progress->step) / static_cast<double>(progress->end_step);
   std::string text = fmt::format("#{} {:.0f} %", job.ordinal, percent);
   if (progress->eta_s) text += fmt::format(" {} left", duration_text(*progress->eta_s));
@@ -45,10 +46,17 @@ std::string counts_text(const StateCounts& counts) {
 std::string progress_text(const Manager& manager) {
   std::string text = counts_text(manager.counts());
   const char* separator = " | ";
+  std::size_t shown = 0;
   for (const LivingJob& job : manager.living()) {
-    text += separator + job_text(manager, job);
+    text += separator;
+    if (++shown > most_jobs) {
+      text += fmt::format("{} more", manager.living().size() - most_jobs);
+      break;
+    }
+    text += job_text(manager, job);
     separator = ", ";
   }
+  if (!manager.engine_trouble().empty()) text += " | Slurm does not answer";
   if (const double pause = manager.next_retry_in_s(); manager.living().empty() && pause > 0) {
     text += fmt::format(" | next retry in {}", duration_text(pause));
   }

@@ -51,6 +51,8 @@ int rebuild(const CommandLine& line) {
   const std::filesystem::path aside = directory / "campaign.db.new";
   for (const char* ending : {"", "-journal"}) std::filesystem::remove(aside.string() + ending);
   const Rebuilt rebuilt = rebuild_store(directory, aside, campaign, study, [](const AttemptRow& attempt) {
+    // The scheduler is not asked here: the next pass does that.
+    if (attempt.engine != local_engine) return Life::unknown;
     return life_of({attempt.host, attempt.boot_id, attempt.pid, attempt.start_ticks});
   });
   put_in_place(aside, database);

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <ostream>
 
+#include "commands/engine_choice.hpp"
 #include "commands/outcome.hpp"
 #include "commands/progress_line.hpp"
 #include "commands/verbs.hpp"
@@ -12,7 +13,7 @@ namespace rouleau::campaign {
 
 namespace {
 
-constexpr int pass_interval_ms = 250;
+constexpr int tick_ms = 250;  // how soon signals and requests are heeded
 constexpr auto ingest_interval = std::chrono::seconds(30);
 
 /// What the signals have asked for so far.
@@ -26,15 +27,17 @@ class Run {
         manager_(line.directory, "run", [this](const std::string& message) { progress_.say(message); }) {}
 
   int operator()() {
+    choose_engine(line_, manager_);
     manager_.take_requests();
     manager_.reconcile(true);
+    if (line_.is_set("dry-run")) return print_scripts(line_, manager_);
     report_survivors();
     manager_.check_room();
     while (mood_ != Mood::leaving) {
       if (mood_ == Mood::running) manager_.start();
-      if (mood_ == Mood::running ? !manager_.has_work() : !has_jobs()) break;
-      progress_.show(manager_);
-      heed(signals_.wait(pass_interval_ms));
+      if (mood_ == Mood::running ? !manager_.has_work() : !manager_.has_local_jobs()) break;
+      if (manager_.engine().self_sustaining && !manager_.has_local_jobs()) return hand_over();
+      wait_for_next_pass();
       manager_.take_requests();
       manager_.reconcile(false);
       ingest_now_and_then();
@@ -44,11 +47,22 @@ class Run {
   }
 
  private:
-  [[nodiscard]] bool has_jobs() const {
-    for (const LivingJob& job : manager_.living()) {
-      if (job.is_seen) return true;
-    }
-    return false;
+  /// The campaign goes on by the passes that its jobs make.
+  int hand_over() {
+    progress_.say(counts_text(manager_.counts()) +
+                  ". The jobs keep the campaign going; `rouleau status` shows how far.");
+    return static_cast<int>(outcome_of(manager_));
+  }
+
+  void wait_for_next_pass() {
+    const auto next = std::chrono::steady_clock::now() + std::chrono::duration<double>(manager_.pass_interval_s());
+    do {
+      progress_.show(manager_);
+      const int signal = signals_.wait(tick_ms);
+      heed(signal);
+      if (signal != 0) return;
+      if (!requests_in(manager_.directory()).empty()) return;
+    } while (std::chrono::steady_clock::now() < next);
   }
 
   void report_survivors() {
@@ -67,10 +81,11 @@ class Run {
         return;
       }
       mood_ = Mood::stopping;
-      progress_.say(has_jobs() ? fmt::format("stopping: {} jobs are asked to write a checkpoint and end. Ctrl-C again "
-                                             "leaves without waiting for them.",
-                                             manager_.living().size())
-                               : "stopping: no job runs");
+      progress_.say(manager_.has_local_jobs()
+                        ? fmt::format("stopping: {} jobs are asked to write a checkpoint and end. Ctrl-C again "
+                                      "leaves without waiting for them.",
+                                      manager_.living().size())
+                        : "stopping: no job runs");
       manager_.ask_to_stop();
     }
   }
@@ -84,7 +99,7 @@ class Run {
 
   int end() {
     if (mood_ != Mood::running) {
-      if (has_jobs()) {
+      if (!manager_.living().empty()) {
         progress_.say(
             fmt::format("left {} jobs to themselves; `rouleau run` takes them over again", manager_.living().size()));
       }
@@ -112,7 +127,8 @@ const Verb run_verb = {
     "run all points to their end; again after any interruption",
     "[DIR] [options]",
     "  rouleau run my-campaign        start, continue, retry: whatever is to be done\n"
-    "  rouleau run                    the same in the current directory\n",
+    "  rouleau run                    the same in the current directory\n"
+    "  rouleau run my-campaign --engine slurm --cluster my-cluster.ini   on a cluster, from a login node\n",
     "Jobs outlive rouleau: after a crash of rouleau or of jobs, `rouleau run` again is the whole recovery.\n"
     "Ctrl-C (or SIGTERM) once: running jobs write a checkpoint and stop; nothing is lost. Twice: do not wait\n"
     "for them. SIGHUP: leave at once, jobs go on. The number of jobs at a time, ranks and retries are set in\n"
@@ -120,7 +136,7 @@ const Verb run_verb = {
     "Ends with 0 when all points are done (or cancelled), with 4 when some failed.\n",
     Words::campaign,
     false,
-    nullptr,
+    describe_engine,
     run,
 };
 

@@ -46,13 +46,17 @@ PointStatus status_of(const Store& store, const std::filesystem::path& campaign,
   status.step = std::max(status.progress ? status.progress->step : 0, newest ? newest->step.value_or(0) : 0);
 
   // The record may be older than the truth: a manager that was killed cannot have noted the end of its jobs.
-  const Gathered gathered = gather(run, status.attempts, life_of);
-  status.lives = gathered.evidence.life == Life::alive;
+  const Gathered gathered = gather(run, status.attempts, life_by_files());
+  const bool is_open = newest && newest->state != AttemptState::ended;
+  status.lives = gathered.evidence.life == Life::alive &&
+                 (!gathered.job || (is_open && status.progress && status.progress->attempt == newest->number));
   const Verdict verdict = judge(recorded_of(point, newest ? &*newest : nullptr), gathered.evidence, RetryPolicy{});
   if (verdict.state != point.state)
     status.note = fmt::format("now {}: `rouleau run` or `sync` takes note", word_of(verdict.state));
   else if (!point.in_study)
     status.note = "no longer in the study";
+  else if (is_open && !newest->job_id.empty())
+    status.note = fmt::format("job {}: {}", newest->job_id, newest->job_state);
   else if (newest && !newest->reason.empty() && point.state != State::done && point.state != State::running)
     status.note = newest->reason;
   for (const std::string& warning : warnings) status.note += (status.note.empty() ? "" : "; ") + warning;

@@ -19,10 +19,10 @@ namespace rouleau::campaign {
 namespace {
 
 // A child between fork and exec shares the lock for a moment after its parent died; waiting that out costs nothing.
-constexpr auto patience = std::chrono::milliseconds(500);
+constexpr auto shortest_patience = std::chrono::milliseconds(500);
 constexpr auto pause = std::chrono::milliseconds(20);
 
-bool try_lock(int fd) {
+bool try_lock(int fd, std::chrono::milliseconds patience) {
   const auto deadline = std::chrono::steady_clock::now() + patience;
   for (;;) {
     if (::flock(fd, LOCK_EX | LOCK_NB) == 0) return true;
@@ -40,16 +40,26 @@ std::string content_of(int fd) {
   return text.empty() ? "another process" : text;
 }
 
+/// Whether the lock came free in time. A holder that is no `sync` will not end soon.
+bool wait_for_lock(int fd, LockPatience patience) {
+  if (try_lock(fd, shortest_patience)) return true;
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(patience.seconds);
+  while (std::chrono::steady_clock::now() < deadline && content_of(fd).find("`rouleau run`") == std::string::npos) {
+    if (try_lock(fd, shortest_patience)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
-CampaignLock::CampaignLock(const std::filesystem::path& directory, const std::string& verb) {
+CampaignLock::CampaignLock(const std::filesystem::path& directory, const std::string& verb, LockPatience patience) {
   const std::filesystem::path file = directory / ".lock";
   fd_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (fd_ < 0) {
     fail(Exit::failed, "{}: cannot open the lock: {}. Check the directory's permissions and the disk's free space.",
          file.string(), std::strerror(errno));
   }
-  if (!try_lock(fd_)) {
+  if (!wait_for_lock(fd_, patience)) {
     const std::string holder = content_of(fd_);
     ::close(fd_);
     fail(Exit::locked, "{}: is held by {}. Wait for it, or stop it with Ctrl-C; nothing needs to be removed.",

@@ -7,11 +7,16 @@
 
 namespace rouleau::campaign {
 
+/// How long to wait for another pass to end; `rouleau run` is never waited for, since it makes the passes itself.
+struct LockPatience {
+  double seconds = 0;
+};
+
 /// Exclusive while it lives. The text in the file only tells people who holds it.
 class CampaignLock {
  public:
   /// Takes DIR/.lock.   throws Error (locked) naming the holder if another live process has it
-  CampaignLock(const std::filesystem::path& directory, const std::string& verb);
+  CampaignLock(const std::filesystem::path& directory, const std::string& verb, LockPatience patience = {});
   CampaignLock(const CampaignLock&) = delete;
   CampaignLock& operator=(const CampaignLock&) = delete;
   ~CampaignLock();

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Running short commands and reading what they say.
+// Where the solver may be, and how it is asked.
 #include "executor/solver.hpp"
 
-#include <fcntl.h>
-#include <poll.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -23,51 +18,6 @@ namespace {
 
 bool is_program(const std::filesystem::path& file) {
   return std::filesystem::is_regular_file(file) && ::access(file.c_str(), X_OK) == 0;
-}
-
-/// A pipe whose ends close themselves.
-struct Pipe {
-  Pipe() {
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(Exit::failed, "cannot make a pipe: {}.", std::strerror(errno));
-  }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-  ~Pipe() {
-    for (const int end : ends) {
-      if (end >= 0) ::close(end);
-    }
-  }
-  void close_writer() {
-    ::close(ends[1]);
-    ends[1] = -1;
-  }
-  std::array<int, 2> ends{};
-};
-
-/// Reads both streams until both are closed.
-void drain(Pipe& out, Pipe& err, Capture& capture) {
-  std::array<pollfd, 2> waits = {{{out.ends[0], POLLIN, 0}, {err.ends[0], POLLIN, 0}}};
-  const std::array<std::string*, 2> texts = {&capture.out, &capture.err};
-  char buffer[4096];
-  while (waits[0].fd >= 0 || waits[1].fd >= 0) {
-    if (::poll(waits.data(), waits.size(), -1) < 0 && errno != EINTR) return;
-    for (std::size_t i = 0; i < waits.size(); ++i) {
-      if (waits[i].fd < 0 || waits[i].revents == 0) continue;
-      const ssize_t got = ::read(waits[i].fd, buffer, sizeof buffer);
-      if (got > 0) {
-        texts[i]->append(buffer, static_cast<std::size_t>(got));
-      } else if (got == 0 || errno != EINTR) {
-        waits[i].fd = -1;
-      }
-    }
-  }
-}
-
-int wait_for(pid_t pid) {
-  int status = 0;
-  while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
 }  // namespace
@@ -91,31 +41,6 @@ std::filesystem::path find_solver() {
   }
   fail(Exit::failed, "rouleau-solver is neither beside {} nor on the PATH. Build it, or set ROULEAU_SOLVER.",
        self.string());
-}
-
-Capture run_and_capture(const std::vector<std::string>& command, const std::filesystem::path& directory) {
-  Pipe out, err;
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  const std::unique_ptr<posix_spawn_file_actions_t, int (*)(posix_spawn_file_actions_t*)> release(
-      &actions, posix_spawn_file_actions_destroy);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, out.ends[1], STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, err.ends[1], STDERR_FILENO);
-  if (!directory.empty()) posix_spawn_file_actions_addchdir_np(&actions, directory.c_str());
-
-  std::vector<char*> arguments;
-  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  pid_t pid = 0;
-  const int error = ::posix_spawnp(&pid, arguments[0], &actions, nullptr, arguments.data(), environ);
-  if (error != 0) fail(Exit::failed, "cannot start {}: {}.", command.front(), std::strerror(error));
-  out.close_writer();
-  err.close_writer();
-  Capture capture;
-  drain(out, err, capture);
-  capture.status = wait_for(pid);
-  return capture;
 }
 
 Checker solver_checker(const std::filesystem::path& solver) {

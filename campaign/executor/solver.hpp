@@ -3,27 +3,14 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
+#include "executor/capture.hpp"
 #include "study/check.hpp"
 
 namespace rouleau::campaign {
 
 /// ROULEAU_SOLVER if set, else beside this program, else on the PATH.   throws Error (failed) naming all three
 [[nodiscard]] std::filesystem::path find_solver();
-
-/// What a program that ran to its end has said.
-struct Capture {
-  int status = 0;  ///< exit status; 128 + signal if a signal ended it
-  std::string out;
-  std::string err;
-};
-
-/// Runs a program to its end with stdin from /dev/null, in `directory` unless that is empty.
-/// throws Error (failed) if it cannot be started
-[[nodiscard]] Capture run_and_capture(const std::vector<std::string>& command,
-                                      const std::filesystem::path& directory = {});
 
 /// A Checker that writes each run file into a scratch directory of its own and calls `solver check`.
 [[nodiscard]] Checker solver_checker(const std::filesystem::path& solver);

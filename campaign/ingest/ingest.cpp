@@ -84,6 +84,10 @@ void fill_from_files(AttemptRow& attempt, const std::filesystem::path& run_direc
     if (process->checkpoint_step) attempt.checkpoint_at_start = *process->checkpoint_step;
     if (process->started_unix_s) attempt.started_unix_s = *process->started_unix_s;
   }
+  if (const std::optional<JobFile> job = read_job_file(folder / "job", warnings)) {
+    attempt.engine = slurm_engine;
+    attempt.job_id = job->id;
+  }
   const std::optional<ExitFile> exit = read_exit_file(folder / "exit.json", warnings);
   if (!exit) return;
   attempt.exit_code = exit->code;

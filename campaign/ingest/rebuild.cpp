@@ -37,7 +37,7 @@ class Replay {
       const bool is_newest = i + 1 == rows.size();
       Evidence evidence;
       evidence.newest_attempt = rows[i].number;
-      if (rows[i].pid != 0) evidence.life = is_newest ? life_of(rows[i]) : Life::dead;
+      if (rows[i].pid != 0 || !rows[i].job_id.empty()) evidence.life = is_newest ? life_of(rows[i]) : Life::dead;
       if (rows[i].exit_code)
         evidence.exit =
             ExitRecord{*rows[i].exit_code, rows[i].reason, rows[i].start_step.value_or(0), rows[i].step.value_or(0)};

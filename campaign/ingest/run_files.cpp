@@ -9,6 +9,7 @@
 #include <climits>
 #include <cmath>
 #include <functional>
+#include <regex>
 
 #include "study/error.hpp"
 #include "study/record.hpp"
@@ -18,6 +19,9 @@ namespace rouleau::campaign {
 namespace {
 
 using Json = nlohmann::json;
+
+constexpr std::size_t longest_quotation = 80;
+constexpr std::int64_t largest_status = 255;
 
 /// A field that may be missing or null; of another type it is damage.
 template <class T>
@@ -117,6 +121,29 @@ std::optional<ProgressFile> read_progress_file(const std::filesystem::path& file
     progress.updated_unix_s = field<double>(json, "updated_unix_s");
     return progress;
   });
+}
+
+std::optional<JobFile> read_job_file(const std::filesystem::path& file, std::vector<std::string>& warnings) {
+  const std::optional<std::string> line = read_first_line(file);
+  if (!line) return std::nullopt;
+  static const std::regex form("slurm (-|[0-9]+) ([A-Za-z0-9._-]+)");
+  std::smatch found;
+  if (!std::regex_match(*line, found, form)) {
+    warnings.push_back(fmt::format("{}: `{}` is not of the form `slurm ID NAME`; left aside", file.string(),
+                                   line->substr(0, longest_quotation)));
+    return std::nullopt;
+  }
+  return JobFile{found[1] == "-" ? "" : found[1].str(), found[2].str()};
+}
+
+std::optional<int> read_status_file(const std::filesystem::path& file, std::vector<std::string>& warnings) {
+  const std::optional<std::string> line = read_first_line(file);
+  if (!line) return std::nullopt;
+  const std::optional<std::int64_t> status = whole_number(*line);
+  if (status && *status <= largest_status) return static_cast<int>(*status);
+  warnings.push_back(
+      fmt::format("{}: `{}` is no exit status; left aside", file.string(), line->substr(0, longest_quotation)));
+  return std::nullopt;
 }
 
 std::optional<std::string> read_first_line(const std::filesystem::path& file) {

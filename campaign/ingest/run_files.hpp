@@ -44,10 +44,22 @@ struct ProgressFile {
   friend bool operator==(const ProgressFile&, const ProgressFile&) = default;
 };
 
+/// attempts/<k>/job of an attempt that was handed to Slurm (share/contract.md section 12): "slurm ID NAME".
+struct JobFile {
+  std::string id;  ///< "" = written before the submission, as "-"
+  std::string name;
+
+  friend bool operator==(const JobFile&, const JobFile&) = default;
+};
+
 /// Each returns nothing when the file is not there, and nothing plus a line in `warnings` when it is damaged.
 std::optional<ProcessFile> read_process_file(const std::filesystem::path& file, std::vector<std::string>& warnings);
 std::optional<ExitFile> read_exit_file(const std::filesystem::path& file, std::vector<std::string>& warnings);
 std::optional<ProgressFile> read_progress_file(const std::filesystem::path& file, std::vector<std::string>& warnings);
+
+std::optional<JobFile> read_job_file(const std::filesystem::path& file, std::vector<std::string>& warnings);
+/// attempts/<k>/status: what the launcher of a job script ended with.
+std::optional<int> read_status_file(const std::filesystem::path& file, std::vector<std::string>& warnings);
 
 /// The first line of a text file (attempts/<k>/owner), or nothing when there is none.
 std::optional<std::string> read_first_line(const std::filesystem::path& file);

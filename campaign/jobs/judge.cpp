@@ -31,7 +31,9 @@ std::string end_of(const Evidence& evidence) {
     return fmt::format("attempt {}: exit.json says {} ({}) at step {}", evidence.newest_attempt, evidence.exit->code,
                        evidence.exit->reason, evidence.exit->step);
   }
-  std::string text = fmt::format("attempt {}: its process is gone and left no exit.json", evidence.newest_attempt);
+  std::string text = evidence.engine_words.empty()
+                         ? fmt::format("attempt {}: its process is gone and left no exit.json", evidence.newest_attempt)
+                         : fmt::format("attempt {}: {}; no exit.json", evidence.newest_attempt, evidence.engine_words);
   if (!evidence.last_words.empty()) text += fmt::format("; its last words: {}", evidence.last_words);
   return text;
 }
@@ -56,6 +58,11 @@ Verdict counted(const Recorded& recorded, const RetryPolicy& policy, bool is_io,
   return verdict;
 }
 
+/// Whether an end was brought about from outside the run.
+bool is_from_outside(Cause cause) {
+  return cause == Cause::preempted || cause == Cause::node || cause == Cause::launch || cause == Cause::unclear;
+}
+
 /// A crash, a file error, or a lost fence: retried, but only so often without progress.
 Verdict crashed(const Recorded& recorded, const Evidence& evidence, const RetryPolicy& policy) {
   if (has_progressed(recorded, evidence)) {
@@ -64,7 +71,13 @@ Verdict crashed(const Recorded& recorded, const Evidence& evidence, const RetryP
     return {State::crashed, true, 0, retry_in_s,
             end_of(evidence) + fmt::format("; it reached checkpoint {}, so it goes on", evidence.newest_checkpoint)};
   }
-  return counted(recorded, policy, evidence.exit && evidence.exit->code == io_failed, end_of(evidence));
+  if (!evidence.exit && is_from_outside(evidence.cause)) {
+    return {State::crashed, true, recorded.retries_used, policy.retry_delay_s,
+            end_of(evidence) + fmt::format("; not counted as a retry, again in {:.3g} s", policy.retry_delay_s)};
+  }
+  // Whoever cancels a job wants it gone for a while.
+  const bool is_to_wait = evidence.exit ? evidence.exit->code == io_failed : evidence.cause == Cause::cancelled;
+  return counted(recorded, policy, is_to_wait, end_of(evidence));
 }
 
 Verdict never_started(const Recorded& recorded, const Evidence& evidence) {
@@ -86,6 +99,10 @@ Verdict finished(const Recorded& recorded, const Evidence& evidence) {
 
 Verdict ended(const Recorded& recorded, const Evidence& evidence, const RetryPolicy& policy) {
   if (!evidence.exit) {
+    if (evidence.can_never_start) {
+      return {State::refused, true, recorded.retries_used, 0,
+              end_of(evidence) + "; correct cluster.ini, then `rouleau retry`"};
+    }
     return evidence.life == Life::none ? never_started(recorded, evidence) : crashed(recorded, evidence, policy);
   }
   const ExitRecord& exit = *evidence.exit;
@@ -119,8 +136,9 @@ Verdict judge(const Recorded& recorded, const Evidence& evidence, const RetryPol
     // An attempt that somebody else started is adopted while it runs.
     if (is_foreign && evidence.life == Life::alive && recorded.state != State::cancelled) {
       same.state = State::running;
-      same.evidence = fmt::format("attempt {} was found running; it was not started by this campaign's database",
-                                  evidence.newest_attempt);
+      same.evidence =
+          fmt::format("attempt {} was found running; it was not started by this campaign's database{}{}",
+                      evidence.newest_attempt, evidence.engine_words.empty() ? "" : ": ", evidence.engine_words);
     }
     return same;
   }
@@ -141,6 +159,7 @@ Verdict judge_failed_launch(const Recorded& recorded, const std::string& why, co
 bool is_early_failure(const Recorded& recorded, const Evidence& evidence, const Verdict& verdict) {
   const bool is_bad = verdict.state == State::crashed || verdict.state == State::exhausted ||
                       verdict.state == State::failed || verdict.state == State::refused;
+  if (!evidence.exit && (evidence.cause == Cause::preempted || evidence.cause == Cause::node)) return false;
   return verdict.attempt_ended && is_bad && !has_progressed(recorded, evidence);
 }
 

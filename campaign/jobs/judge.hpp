@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "jobs/slurm_state.hpp"
 #include "jobs/state.hpp"
 
 namespace rouleau::campaign {
@@ -33,6 +34,9 @@ struct Evidence {
   std::optional<ExitRecord> exit;       ///< of the newest attempt
   std::int64_t newest_checkpoint = -1;  ///< its step; -1 = none
   std::string last_words;               ///< last line of the newest attempt's stderr; for the reader only
+  Cause cause = Cause::none;            ///< what the scheduler says of an end without exit.json
+  bool can_never_start = false;         ///< the scheduler will never start such a job
+  std::string engine_words;             ///< the scheduler's side of it, in plain words; "" = it has none
 };
 
 /// What was recorded before.
@@ -68,6 +72,9 @@ struct Verdict {
 ///
 /// "Progress" is a checkpoint newer than the one that the attempt was started from. A process that is alive or unknown
 /// without an exit record changes nothing: silence is not evidence.
+///
+/// Ends that the scheduler brought about, not the run (preempted, node lost, failed launch, forgotten job), are retried
+/// without being counted. What it can never start is refused.
 ///
 /// An attempt that was planned but for which nothing was ever started (its manager died in between) is taken back
 /// without being counted.

@@ -14,7 +14,8 @@ constexpr std::string_view attempt_columns =
     "SELECT p.key, a.number, a.token, a.state, a.host, a.boot_id, a.pid, a.start_ticks, a.ranks, a.cores, "
     "a.started_unix_s, a.ended_unix_s, a.exit_code, a.reason, a.resumed_from, a.start_step, a.step, a.wall_s, "
     "a.core_s, "
-    "a.mlups, a.version, a.git, a.checkpoint_at_start FROM attempt a JOIN point p ON p.ordinal = a.point ";
+    "a.mlups, a.version, a.git, a.checkpoint_at_start, a.engine, a.job_id, a.job_state FROM attempt a JOIN point p ON "
+    "p.ordinal = a.point ";
 
 AttemptState attempt_state_in(const Statement& statement, int column) {
   const std::string word = statement.text(column);
@@ -48,6 +49,9 @@ AttemptRow attempt_in(const Statement& statement) {
   attempt.version = statement.text(20);
   attempt.git = statement.text(21);
   attempt.checkpoint_at_start = statement.integer(22);
+  attempt.engine = statement.text(23);
+  attempt.job_id = statement.text(24);
+  attempt.job_state = statement.text(25);
   return attempt;
 }
 
@@ -83,14 +87,13 @@ void Store::put_attempt(const AttemptRow& attempt) {
       .prepare(
           "INSERT OR REPLACE INTO attempt (point, number, token, state, host, boot_id, pid, start_ticks, ranks, cores, "
           "started_unix_s, ended_unix_s, exit_code, reason, resumed_from, start_step, step, wall_s, core_s, mlups, "
-          "version, git, checkpoint_at_start) VALUES ((SELECT ordinal FROM point WHERE key = ?), ?, ?, ?, ?, ?, ?, ?, "
-          "?, "
-          "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+          "version, git, checkpoint_at_start, engine, job_id, job_state) VALUES ((SELECT ordinal FROM point WHERE "
+          "key = ?), ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
       .bind(attempt.point, attempt.number, attempt.token, attempt_words[static_cast<std::size_t>(attempt.state)],
             attempt.host, attempt.boot_id, attempt.pid, attempt.start_ticks, attempt.ranks, attempt.cores,
             attempt.started_unix_s, attempt.ended_unix_s, attempt.exit_code, attempt.reason, attempt.resumed_from,
             attempt.start_step, attempt.step, attempt.wall_s, attempt.core_s, attempt.mlups, attempt.version,
-            attempt.git, attempt.checkpoint_at_start)
+            attempt.git, attempt.checkpoint_at_start, attempt.engine, attempt.job_id, attempt.job_state)
       .run();
 }
 

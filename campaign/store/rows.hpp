@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "jobs/state.hpp"
@@ -51,6 +52,9 @@ enum class AttemptState {
   ended,     ///< the process is gone
 };
 
+/// The engines by name.
+inline constexpr std::string_view local_engine = "local", slurm_engine = "slurm";
+
 /// One start of the solver on a point.
 struct AttemptRow {
   std::string point;
@@ -61,6 +65,9 @@ struct AttemptRow {
   std::int64_t pid = 0, start_ticks = 0;
   int ranks = 0;
   std::string cores;  ///< the cores that it is pinned to, e.g. "0,1"
+  std::string engine = std::string(local_engine);
+  std::string job_id;     ///< of the scheduler; "" = none, or not known yet
+  std::string job_state;  ///< what the scheduler said last, in plain words
   double started_unix_s = 0;
   std::optional<double> ended_unix_s;
   std::optional<int> exit_code;  ///< of exit.json, else of the process

@@ -55,7 +55,14 @@ DELETE FROM sample;
 UPDATE point SET log_offset = 0, log_tail_hash = '';
 )sql";
 
-const std::array<Migration, 1> all_migrations = {{{1, from_1_to_2}}};
+/// Version 3 knows engines besides this machine.
+const char* const from_2_to_3 = R"sql(
+ALTER TABLE attempt ADD COLUMN engine TEXT NOT NULL DEFAULT 'local';
+ALTER TABLE attempt ADD COLUMN job_id TEXT NOT NULL DEFAULT '';
+ALTER TABLE attempt ADD COLUMN job_state TEXT NOT NULL DEFAULT '';
+)sql";
+
+const std::array<Migration, 2> all_migrations = {{{1, from_1_to_2}, {2, from_2_to_3}}};
 
 }  // namespace
 

@@ -13,7 +13,7 @@ namespace rouleau::campaign {
 inline constexpr std::int64_t application_id = 0x526f756c;
 
 /// PRAGMA user_version that this program reads and writes.
-inline constexpr int schema_version = 2;
+inline constexpr int schema_version = 3;
 
 /// One step of an upgrade: the statements that turn version `from` into version from + 1.
 struct Migration {

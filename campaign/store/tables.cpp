@@ -69,6 +69,9 @@ CREATE TABLE attempt (
   mlups           REAL CHECK (typeof(mlups) IN ('real', 'null')),
   version         TEXT NOT NULL,
   git             TEXT NOT NULL,
+  engine          TEXT NOT NULL DEFAULT 'local',
+  job_id          TEXT NOT NULL DEFAULT '',
+  job_state       TEXT NOT NULL DEFAULT '',
   PRIMARY KEY (point, number)
 ) WITHOUT ROWID;
 
@@ -160,7 +163,7 @@ CREATE VIEW v_attempts AS
          strftime('%Y-%m-%dT%H:%M:%SZ', a.started_unix_s, 'unixepoch') AS started_utc,
          strftime('%Y-%m-%dT%H:%M:%SZ', a.ended_unix_s, 'unixepoch') AS ended_utc,
          a.exit_code, a.reason, a.start_step, a.step, a.resumed_from, a.wall_s, a.core_s / 3600.0 AS core_h, a.mlups,
-         a.version, a.git
+         a.version, a.git, a.engine, a.job_id, a.job_state
     FROM attempt a JOIN point p ON p.ordinal = a.point;
 
 CREATE VIEW v_points AS

@@ -63,7 +63,7 @@ constexpr std::string_view study_and_sweep =
 std::string study_help() {
   return std::string(study_and_sweep) +
          "[execution]\n"
-         "    engine                 = local # where jobs run\n"
+         "    engine                 = local # where jobs run: local (this machine) or slurm (see cluster.ini)\n"
          "    checkpoint_interval_min        # another way to write output.checkpoint_interval_min\n" +
          help_of(execution_rows()) + "\n[analysis]\n" + help_of(analysis_rows());
 }

@@ -10,7 +10,7 @@ namespace rouleau::campaign {
 
 /// How the points are run; section [execution].
 struct Execution {
-  std::string engine = "local";     ///< where jobs run; "local" is this machine
+  std::string engine = "local";     ///< where jobs run: "local" is this machine, "slurm" a cluster
   double jobs = 0;                  ///< at a time; 0 = as many as the cores allow
   double ranks = 1;                 ///< MPI ranks of a job
   double retries = 3;               ///< restarts in a row without progress after crashes; then the point is given up

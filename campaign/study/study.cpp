@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t largest_study = std::size_t{1} << 20;  // bytes, as of a run file
 constexpr std::size_t longest_name = 100;
 const std::vector<std::string> own_sections = {"study", "sweep", "execution", "analysis"};
-const std::vector<std::string> engines = {"local"};
+const std::vector<std::string> engines = {"local", "slurm"};
 
 /// Fills a Study entry by entry; every error names file and line.
 class Reader {
@@ -94,7 +94,7 @@ class Reader {
     if (entry.name == "engine") {
       if (std::find(engines.begin(), engines.end(), entry.value) == engines.end()) {
         fail_at(entry.line, "engine = {} is not known; there is: {}.{}", entry.value,
-                fmt::format("{}", engines.front()), did_you_mean(entry.value, engines));
+                fmt::format("{}", fmt::join(engines, ", ")), did_you_mean(entry.value, engines));
       }
       study_.execution.engine = entry.value;
     } else if (entry.name == "checkpoint_interval_min") {

@@ -208,5 +208,51 @@ TEST(CampaignJudge, EarlyFailureIsOneWithoutProgress) {
   EXPECT_FALSE(is_early(ended(75, 100)));
 }
 
+Evidence ended_by_slurm(Cause cause, std::int64_t newest_checkpoint = 100) {
+  Evidence evidence = dead(newest_checkpoint);
+  evidence.cause = cause;
+  evidence.engine_words = "Slurm: words";
+  return evidence;
+}
+
+TEST(CampaignJudge, WhatTheSchedulerDidIsNoRetryOfTheRun) {
+  for (const Cause cause : {Cause::preempted, Cause::node, Cause::launch, Cause::unclear}) {
+    const Verdict verdict = judge(running(policy.retries), ended_by_slurm(cause), policy);
+    EXPECT_EQ(verdict.state, State::crashed);
+    EXPECT_EQ(verdict.retries_used, policy.retries);
+    EXPECT_GT(verdict.retry_in_s, 0);
+    EXPECT_THAT(verdict.evidence, HasSubstr("Slurm: words"));
+  }
+}
+
+TEST(CampaignJudge, TimeLimitAndMemoryWithoutProgressAreCounted) {
+  for (const Cause cause : {Cause::time_limit, Cause::memory, Cause::cancelled, Cause::none}) {
+    EXPECT_EQ(judge(running(0), ended_by_slurm(cause), policy).retries_used, 1);
+    EXPECT_EQ(judge(running(policy.retries), ended_by_slurm(cause), policy).state, State::exhausted);
+    EXPECT_EQ(judge(running(policy.retries), ended_by_slurm(cause, 200), policy).retries_used, 0);
+  }
+}
+
+TEST(CampaignJudge, CancelledJobIsNotBroughtBackAtOnce) {
+  EXPECT_GE(judge(running(), ended_by_slurm(Cause::cancelled), policy).retry_in_s, policy.io_retry_delay_s);
+}
+
+TEST(CampaignJudge, RequestThatCanNeverStartIsRefused) {
+  Evidence evidence = ended_by_slurm(Cause::none);
+  evidence.can_never_start = true;
+  const Verdict verdict = judge(running(), evidence, policy);
+  EXPECT_EQ(verdict.state, State::refused);
+  EXPECT_THAT(verdict.evidence, HasSubstr("rouleau retry"));
+}
+
+TEST(CampaignJudge, PreemptionAndLostNodesDoNotCountTowardsThePause) {
+  for (const Cause cause : {Cause::preempted, Cause::node}) {
+    const Evidence evidence = ended_by_slurm(cause);
+    EXPECT_FALSE(is_early_failure(running(), evidence, judge(running(), evidence, policy)));
+  }
+  const Evidence launch = ended_by_slurm(Cause::launch);
+  EXPECT_TRUE(is_early_failure(running(), launch, judge(running(), launch, policy)));
+}
+
 }  // namespace
 }  // namespace rouleau::campaign

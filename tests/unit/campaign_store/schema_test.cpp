@@ -68,8 +68,18 @@ TEST_F(SchemaTest, FailingMigrationChangesNothing) {
   EXPECT_EQ(database.select_integer("SELECT count(*) FROM sqlite_schema WHERE name = 'extra'"), 0);
 }
 
+/// The tables of version 2, whose attempts know no engine.
+void make_version_2(const std::filesystem::path& file) {
+  const Database database(file, Access::read_write);
+  database.execute("DROP VIEW v_attempts;");
+  for (const char* column : {"engine", "job_id", "job_state"})
+    database.execute(fmt::format("ALTER TABLE attempt DROP COLUMN {};", column));
+  database.execute("CREATE VIEW v_attempts AS SELECT * FROM attempt; PRAGMA user_version = 2;");
+}
+
 /// The tables of version 1, whose samples have no shape and no markers.
 void make_version_1(const std::filesystem::path& file) {
+  make_version_2(file);
   const Database database(file, Access::read_write);
   database.execute("DROP VIEW v_phase; DROP VIEW v_samples;");
   for (const char* column :
@@ -101,11 +111,27 @@ TEST_F(SchemaTest, VersionOneBecomesWhatANewFileIsAndReadsItsSamplesAnew) {
   const Store migrated = Store::open(file_);
   const std::filesystem::path fresh_file = directory_.path() / "fresh.db";
   const Store fresh = Store::create(fresh_file, testing::a_campaign());
-  for (const char* table : {"sample", "result", "v_points", "v_phase", "v_samples", "v_attempts"})
+  for (const char* table : {"attempt", "sample", "result", "v_points", "v_phase", "v_samples", "v_attempts"})
     EXPECT_EQ(columns_of(migrated.database(), table), columns_of(fresh.database(), table)) << table;
   EXPECT_EQ(migrated.point(point.key), point);
   EXPECT_TRUE(migrated.samples(point.key).empty());
   EXPECT_EQ(migrated.sample_mark(point.key), SampleMark());
+}
+
+TEST_F(SchemaTest, AttemptsOfVersionTwoWereOfThisMachine) {
+  const PointRow point = testing::a_point(1);
+  AttemptRow attempt;
+  attempt.point = point.key;
+  attempt.number = 1;
+  {
+    Store store = Store::open(file_);
+    store.add_point(point, testing::its_parameters(point), "added");
+    store.put_attempt(attempt);
+  }
+  make_version_2(file_);
+  const Store migrated = Store::open(file_);
+  EXPECT_EQ(migrated.attempts(point.key), std::vector<AttemptRow>{attempt});
+  EXPECT_EQ(migrated.attempts(point.key).front().engine, local_engine);
 }
 
 TEST_F(SchemaTest, MissingMigrationStepIsNamed) {

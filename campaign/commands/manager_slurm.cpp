@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The manager's side of Slurm: which engine, one look a pass, and what a look means for an attempt.
+#include "commands/manager.hpp"
+#include "executor/attempt.hpp"
+#include "study/error.hpp"
+#include "study/whole_file.hpp"
+
+namespace rouleau::campaign {
+
+namespace {
+
+constexpr double local_pass_interval_s = 0.25;
+
+}  // namespace
+
+void Manager::open_slurm(const std::filesystem::path& cluster) {
+  // Jobs that were submitted are followed to their ends even if their cluster file is gone.
+  const bool has_file = std::filesystem::exists(cluster);
+  if (!has_file && engine_.name == slurm_engine) {
+    fail(Exit::usage,
+         "{}: is missing, and the engine is slurm. `rouleau run --engine slurm --cluster FILE` copies one there; "
+         "share/clusters/ holds templates.",
+         cluster.string());
+  }
+  slurm_ = std::make_unique<SlurmEngine>(has_file ? read_cluster(cluster) : Cluster{});
+}
+
+void Manager::use_engine(const Engine& engine, const std::filesystem::path& cluster) {
+  engine_ = engine;
+  if (engine_.name == slurm_engine) open_slurm(cluster);
+}
+
+void Manager::keep_engine() {
+  store_.set_setting(engine_setting, engine_.name);
+  store_.set_setting(self_sustaining_setting, engine_.self_sustaining ? "1" : "0");
+}
+
+void Manager::look_at_queue() {
+  is_new_look_ = slurm_ && slurm_->look();
+  if (is_new_look_ && !slurm_->trouble().empty())
+    warn_of({fmt::format("{}. Nothing is concluded from that; it is asked again.", slurm_->trouble())});
+}
+
+LifeOf Manager::life_of_attempt(const AttemptRow* row) const {
+  return {[this](const ProcessIdentity& process) { return executor_.life(process); },
+          [this, row](const JobAttempt& attempt) {
+            if (!slurm_) return life_by_files().job(attempt);
+            const bool is_its_row = row != nullptr && row->number == attempt.number;
+            return slurm_->life(attempt, is_its_row ? row : nullptr);
+          }};
+}
+
+double Manager::pass_interval_s() const {
+  const bool only_slurm = engine_.name == slurm_engine && !has_local_jobs();
+  return only_slurm ? slurm_->cluster().poll_s : local_pass_interval_s;
+}
+
+void Manager::write_job_file(const AttemptRow& attempt, const JobFile& job) const {
+  write_whole_file(attempt_directory(run_directory(attempt.point), attempt.number) / "job",
+                   fmt::format("slurm {} {}\n", job.id.empty() ? "-" : job.id, job.name));
+}
+
+void Manager::follow_job(const PointRow& point, AttemptRow* newest, const Gathered& gathered) {
+  const std::string id = gathered.job->id.empty() ? slurm_->id_of(gathered.job->name) : gathered.job->id;
+  std::string trouble;
+  if (gathered.action == JobAction::cancel && !id.empty()) trouble = slurm_->client().cancel(id);
+  if (gathered.action == JobAction::release) trouble = slurm_->client().release(id);
+  if (!trouble.empty()) warn_of({fmt::format("{}: job {}: {}", name_of(point), id, trouble)});
+
+  const bool is_its_row = newest != nullptr && newest->number == gathered.evidence.newest_attempt;
+  if (!is_its_row || newest->state == AttemptState::ended) return;
+  const AttemptRow before = *newest;
+  // Found by name after a manager died behind its submission.
+  if (gathered.job->id.empty() && !id.empty()) write_job_file(*newest, {id, gathered.job->name});
+  if (!id.empty()) newest->job_id = id;
+  const bool was_released = gathered.action == JobAction::release && trouble.empty();
+  if (was_released || gathered.is_shown) newest->state = AttemptState::launched;
+  if (is_new_look_ && !gathered.evidence.engine_words.empty()) newest->job_state = gathered.evidence.engine_words;
+  if (!(before == *newest)) store_.put_attempt(*newest);
+}
+
+}  // namespace rouleau::campaign
