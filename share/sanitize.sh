@@ -3,7 +3,8 @@
 # Runs every test under AddressSanitizer, LeakSanitizer and UBSan, in a build of its own. Further arguments go to ctest.
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-cmake -S . -B build/sanitize -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" -DROULEAU_SANITIZE=ON > /dev/null
+# Warnings are judged in the ordinary build: of sanitized code g++ 12 warns without cause.
+cmake -S . -B build/sanitize -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" -DROULEAU_SANITIZE=ON -DROULEAU_WERROR=OFF > /dev/null
 cmake --build build/sanitize --parallel "$(nproc)"
 # What Open MPI, PMIx and HDF5 keep until the end of the process is theirs. Preloaded libraries come before ASan's.
 export ASAN_OPTIONS=verify_asan_link_order=0:detect_stack_use_after_return=1

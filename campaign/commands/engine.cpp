@@ -191,7 +191,8 @@ void report_mpi(Report& report, const Trial& trial, const Cluster& cluster) {
   } else if (trial.code == 0) {
     report.failed("MPI", fmt::format("of two ranks by {}, each ran alone{}", how, advice));
   } else {
-    const std::string words = trial.last_words.empty() ? "it said nothing" : trial.last_words;
+    std::string words = trial.last_words.empty() ? "it said nothing" : trial.last_words;
+    while (words.ends_with('.')) words.pop_back();
     const std::string end = trial.code ? fmt::format("with code {}", *trial.code) : "without a record of its end";
     report.failed("MPI", fmt::format("rouleau-solver on 2 ranks by {} ended {}: {}{}", how, end, words, advice));
   }

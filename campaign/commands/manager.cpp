@@ -27,6 +27,10 @@ RetryPolicy policy_of(const Execution& execution) {
   return {static_cast<int>(execution.retries), execution.retry_delay_s, execution.io_retry_delay_s};
 }
 
+bool was_ever_started(const std::filesystem::path& run_directory) {
+  return std::filesystem::exists(run_directory / "attempts") || std::filesystem::exists(run_directory / "samples.csv");
+}
+
 /// An attempt that somebody else made, from its files.
 AttemptRow foreign_attempt(const std::filesystem::path& run_directory, const std::string& key, int number,
                            std::vector<std::string>& warnings) {
@@ -92,6 +96,8 @@ void Manager::reconcile(bool all) {
   for (const AttemptRow& attempt : store_.open_attempts()) open.insert(attempt.point);
   for (const PointRow& point : store_.points()) {
     if (!all && !open.contains(point.key) && point.state != State::running) continue;
+    // Thousands of points may never have been started; most of a pass would be spent on finding nothing there.
+    if (point.state == State::waiting && !was_ever_started(run_directory(point.key))) continue;
     // One bad run must not keep the others from being looked after.
     try {
       settle(point);

@@ -169,17 +169,15 @@ bool Manager::submit_pack(std::vector<PointRow> points) {
     warn_of({fmt::format("{}: sbatch: {}; it is looked for", name_of(points.front()), submission.trouble)});
     return false;
   }
-  for (AttemptRow& attempt : attempts) {
-    write_job_file(attempt, {submission.id, script.name});
-    attempt.job_id = submission.id;
-    store_.put_attempt(attempt);
-  }
+  for (const AttemptRow& attempt : attempts) write_job_file(attempt, {submission.id, script.name});
   const std::string trouble = slurm_->client().release(submission.id);
+  Transaction outcome = store_.begin();
   for (AttemptRow& attempt : attempts) {
-    if (!trouble.empty()) break;
-    attempt.state = AttemptState::launched;
+    attempt.job_id = submission.id;
+    if (trouble.empty()) attempt.state = AttemptState::launched;
     store_.put_attempt(attempt);
   }
+  outcome.commit();
   if (!trouble.empty())
     warn_of({fmt::format("job {} is held still: {}; it is released later", submission.id, trouble)});
   const std::string others = points.size() > 1 ? fmt::format(" and {} more", points.size() - 1) : "";

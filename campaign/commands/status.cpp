@@ -31,18 +31,17 @@ struct PointStatus {
   std::string note;
 };
 
-PointStatus status_of(const Store& store, const std::filesystem::path& campaign, const PointRow& point) {
-  PointStatus status;
-  status.point = point;
-  for (const ParameterRow& row : store.parameters(point.key)) {
-    if (!row.swept) continue;
-    status.swept.push_back(row.value ? Value(*row.value) : Value(row.text));
-  }
-  const std::filesystem::path run = point_directory(campaign, point.key);
+/// What the database knows of all points, read at once: a query a point would take seconds for ten thousand.
+struct Known {
+  std::map<std::string, std::vector<ParameterRow>> swept;
+  std::map<std::string, AttemptRow> newest;
+};
+
+/// What the run directory says at this moment.
+void look_at(PointStatus& status, const std::filesystem::path& run, const AttemptRow* newest) {
   std::vector<std::string> warnings;
+  const PointRow& point = status.point;
   status.progress = read_progress_file(run / "progress.json", warnings);
-  const std::optional<AttemptRow> newest = store.newest_attempt(point.key);
-  status.attempts = newest ? newest->number : 0;
   status.step = std::max(status.progress ? status.progress->step : 0, newest ? newest->step.value_or(0) : 0);
 
   // The record may be older than the truth: a manager that was killed cannot have noted the end of its jobs.
@@ -50,7 +49,7 @@ PointStatus status_of(const Store& store, const std::filesystem::path& campaign,
   const bool is_open = newest && newest->state != AttemptState::ended;
   status.lives = gathered.evidence.life == Life::alive &&
                  (!gathered.job || (is_open && status.progress && status.progress->attempt == newest->number));
-  const Verdict verdict = judge(recorded_of(point, newest ? &*newest : nullptr), gathered.evidence, RetryPolicy{});
+  const Verdict verdict = judge(recorded_of(point, newest), gathered.evidence, RetryPolicy{});
   if (verdict.state != point.state)
     status.note = fmt::format("now {}: `rouleau run` or `sync` takes note", word_of(verdict.state));
   else if (!point.in_study)
@@ -60,6 +59,22 @@ PointStatus status_of(const Store& store, const std::filesystem::path& campaign,
   else if (newest && !newest->reason.empty() && point.state != State::done && point.state != State::running)
     status.note = newest->reason;
   for (const std::string& warning : warnings) status.note += (status.note.empty() ? "" : "; ") + warning;
+}
+
+PointStatus status_of(const Known& known, const std::filesystem::path& campaign, const PointRow& point) {
+  PointStatus status;
+  status.point = point;
+  if (const auto swept = known.swept.find(point.key); swept != known.swept.end()) {
+    for (const ParameterRow& row : swept->second)
+      status.swept.push_back(row.value ? Value(*row.value) : Value(row.text));
+  }
+  const auto found = known.newest.find(point.key);
+  const AttemptRow* newest = found == known.newest.end() ? nullptr : &found->second;
+  status.attempts = newest ? newest->number : 0;
+  const std::filesystem::path run = point_directory(campaign, point.key);
+  const bool was_started = newest || std::filesystem::exists(run / "attempts");
+  if (was_started) look_at(status, run, newest);
+  if (!was_started && !point.in_study) status.note = "no longer in the study";
   return status;
 }
 
@@ -159,7 +174,8 @@ int status(const CommandLine& line) {
   const Store store = Store::open_reader(line.directory / "campaign.db");
   const double now = now_unix_s();
   std::vector<PointStatus> all;
-  for (const PointRow& point : store.points()) all.push_back(status_of(store, line.directory, point));
+  const Known known{store.swept_parameters(), store.newest_attempts()};
+  for (const PointRow& point : store.points()) all.push_back(status_of(known, line.directory, point));
 
   const bool for_eyes = line.format == Format::table;
   Table table{"status", {for_eyes ? "point" : "ordinal"}, {}};

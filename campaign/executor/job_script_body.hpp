@@ -32,9 +32,9 @@ newest_attempt() {
   echo "$newest"
 }
 
-# Makes an attempt ours: the one that the script was written for if nobody has begun it yet, else a new one. Whoever makes
-# a directory first has it, so that two copies of this job (Slurm may start the second while the first still runs on a
-# node out of its sight) never share an attempt, and the newer one fences the older. Sets attempt and token.
+# Makes an attempt ours: the one that the script was written for if nobody has begun it yet, else a new one. Whoever
+# makes a directory first has it, so that two copies of this job (Slurm may start the second while the first still runs
+# on a node out of its sight) never share an attempt, and the newer one fences the older. Sets attempt and token.
 claim() {
   attempt=$2 token=$3
   cd "$campaign/points/$1" || return 1

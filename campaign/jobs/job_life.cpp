@@ -12,7 +12,9 @@ namespace {
 // section 6.
 bool is_last_word(int code) { return code == 0 || code == 65 || code == 70 || code == 76; }
 
-bool has_told_its_end(const JobTrace& trace) { return trace.exit_code || trace.status; }
+/// A status of 0 without an exit.json proves nothing: srun also ends with 0 when it loses a node, on which the solver
+/// lives on.
+bool has_told_its_end(const JobTrace& trace) { return trace.exit_code || trace.status.value_or(0) != 0; }
 
 std::string end_words(const JobTrace& trace) {
   if (trace.exit_code || !trace.status) return "";

@@ -76,6 +76,14 @@ std::optional<AttemptRow> Store::newest_attempt(std::string_view point) const {
   return statement.step() ? std::optional(attempt_in(statement)) : std::nullopt;
 }
 
+std::map<std::string, AttemptRow> Store::newest_attempts() const {
+  Statement statement = database_.prepare(std::string(attempt_columns) +
+                                          "WHERE a.number = (SELECT max(number) FROM attempt WHERE point = a.point)");
+  std::map<std::string, AttemptRow> newest;
+  for (AttemptRow& attempt : attempts_in(statement)) newest.emplace(attempt.point, std::move(attempt));
+  return newest;
+}
+
 std::vector<AttemptRow> Store::open_attempts() const {
   Statement statement =
       database_.prepare(std::string(attempt_columns) + "WHERE a.state <> 'ended' ORDER BY a.point, a.number");

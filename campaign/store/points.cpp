@@ -70,6 +70,16 @@ std::vector<ParameterRow> Store::parameters(std::string_view key) const {
   return rows;
 }
 
+std::map<std::string, std::vector<ParameterRow>> Store::swept_parameters() const {
+  Statement statement = database_.prepare(
+      "SELECT p.key, a.name, a.text, a.value FROM parameter a JOIN point p ON p.ordinal = a.point WHERE a.swept "
+      "ORDER BY p.ordinal, a.position");
+  std::map<std::string, std::vector<ParameterRow>> rows;
+  while (statement.step())
+    rows[statement.text(0)].push_back({statement.text(1), statement.text(2), statement.optional_real(3), true});
+  return rows;
+}
+
 void Store::add_point(const PointRow& point, const std::vector<ParameterRow>& parameters, std::string_view evidence,
                       std::optional<double> unix_s) {
   Transaction transaction = begin();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -45,6 +46,8 @@ class Store {
   [[nodiscard]] std::vector<PointRow> points() const;
   [[nodiscard]] std::optional<PointRow> point(std::string_view key) const;
   [[nodiscard]] std::vector<ParameterRow> parameters(std::string_view key) const;
+  /// Of all points, by key: those that the study's [sweep] names.
+  [[nodiscard]] std::map<std::string, std::vector<ParameterRow>> swept_parameters() const;
   /// Adds a point with its parameters and the event of its creation (now, or at unix_s). throws Error if the key is
   /// there already.
   void add_point(const PointRow& point, const std::vector<ParameterRow>& parameters, std::string_view evidence,
@@ -62,7 +65,8 @@ class Store {
   // Attempts, in the order of their numbers.
   [[nodiscard]] std::vector<AttemptRow> attempts(std::string_view point) const;
   [[nodiscard]] std::optional<AttemptRow> newest_attempt(std::string_view point) const;
-  [[nodiscard]] std::vector<AttemptRow> open_attempts() const;  ///< planned or launched, of all points
+  [[nodiscard]] std::map<std::string, AttemptRow> newest_attempts() const;  ///< of every point that has one, by key
+  [[nodiscard]] std::vector<AttemptRow> open_attempts() const;              ///< planned or launched, of all points
   /// Writes all columns, over those of the same (point, number) if there is one.
   void put_attempt(const AttemptRow& attempt);
 

@@ -96,6 +96,17 @@ TEST(JobLife, OnePointOfAPackEndsWhileItsJobRuns) {
   EXPECT_THAT(life.words, HasSubstr("137"));
 }
 
+TEST(JobLife, LauncherThatEndsWithZeroAndNoRecordProvesNoEnd) {
+  JobTrace trace = shown("RUNNING");
+  trace.status = 0;
+  EXPECT_EQ(life_of_job(trace, patience_s).life, Life::alive);
+  JobTrace forgotten = absent(patience_s);
+  forgotten.status = 0;
+  EXPECT_EQ(life_of_job(forgotten, patience_s).life, Life::alive);
+  forgotten.exit_code = 75;
+  EXPECT_EQ(life_of_job(forgotten, patience_s).life, Life::dead);
+}
+
 TEST(JobLife, EndOfTheJobIsTheEndWithItsCause) {
   EXPECT_EQ(life_of_job(shown("TIMEOUT", "TimeLimit"), patience_s).cause, Cause::time_limit);
   EXPECT_EQ(life_of_job(shown("NODE_FAIL", "NodeDown"), patience_s).cause, Cause::node);
