@@ -85,7 +85,8 @@ class Run {
                         ? fmt::format("stopping: {} jobs are asked to write a checkpoint and end. Ctrl-C again "
                                       "leaves without waiting for them.",
                                       manager_.living().size())
-                        : "stopping: no job runs");
+                    : manager_.living().empty() ? "stopping: no job runs"
+                                                : "stopping: jobs of Slurm go on");
       manager_.ask_to_stop();
     }
   }

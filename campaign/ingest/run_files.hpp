@@ -44,7 +44,7 @@ struct ProgressFile {
   friend bool operator==(const ProgressFile&, const ProgressFile&) = default;
 };
 
-/// attempts/<k>/job of an attempt that was handed to Slurm (share/contract.md section 12): "slurm ID NAME".
+/// attempts/<k>/job of an attempt that was handed to Slurm (share/contract.md section 14): "slurm ID NAME".
 struct JobFile {
   std::string id;  ///< "" = written before the submission, as "-"
   std::string name;
