@@ -9,7 +9,7 @@
 #include <climits>
 #include <cmath>
 #include <functional>
-#include <regex>
+#include <sstream>
 
 #include "study/error.hpp"
 #include "study/record.hpp"
@@ -20,6 +20,7 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr std::size_t longest_line = 4096;
 constexpr std::size_t longest_quotation = 80;
 constexpr std::int64_t largest_status = 255;
 
@@ -41,6 +42,24 @@ std::optional<File> read_json(const std::filesystem::path& file, std::vector<std
     const std::optional<std::string> text = read_whole_file(file, largest_record);
     if (!text) return std::nullopt;
     return read_record(*text, file, " and left aside", take);
+  } catch (const Error& error) {
+    warnings.push_back(error.what());
+  }
+  return std::nullopt;
+}
+
+/// Reads a file of one short line by `take`; one that it does not take becomes a warning.
+template <class Content>
+std::optional<Content> read_line(const std::filesystem::path& file, std::vector<std::string>& warnings,
+                                 const char* trouble,
+                                 const std::function<std::optional<Content>(const std::string&)>& take) {
+  try {
+    const std::optional<std::string> text = read_whole_file(file, longest_line);
+    if (!text) return std::nullopt;
+    const std::string line = text->substr(0, text->find('\n'));
+    if (std::optional<Content> content = take(line)) return content;
+    warnings.push_back(
+        fmt::format("{}: `{}` {}; left aside", file.string(), line.substr(0, longest_quotation), trouble));
   } catch (const Error& error) {
     warnings.push_back(error.what());
   }
@@ -124,26 +143,22 @@ std::optional<ProgressFile> read_progress_file(const std::filesystem::path& file
 }
 
 std::optional<JobFile> read_job_file(const std::filesystem::path& file, std::vector<std::string>& warnings) {
-  const std::optional<std::string> line = read_first_line(file);
-  if (!line) return std::nullopt;
-  static const std::regex form("slurm (-|[0-9]+) ([A-Za-z0-9._-]+)");
-  std::smatch found;
-  if (!std::regex_match(*line, found, form)) {
-    warnings.push_back(fmt::format("{}: `{}` is not of the form `slurm ID NAME`; left aside", file.string(),
-                                   line->substr(0, longest_quotation)));
-    return std::nullopt;
-  }
-  return JobFile{found[1] == "-" ? "" : found[1].str(), found[2].str()};
+  return read_line<JobFile>(file, warnings, "is not of the form `slurm ID NAME`", [](const std::string& line) {
+    std::istringstream words(line);
+    std::string engine, id, name, more;
+    words >> engine >> id >> name;
+    const bool is_known = id == "-" || whole_number(id);
+    if (engine != "slurm" || !is_known || name.empty() || (words >> more)) return std::optional<JobFile>();
+    return std::optional<JobFile>({id == "-" ? "" : id, name});
+  });
 }
 
 std::optional<int> read_status_file(const std::filesystem::path& file, std::vector<std::string>& warnings) {
-  const std::optional<std::string> line = read_first_line(file);
-  if (!line) return std::nullopt;
-  const std::optional<std::int64_t> status = whole_number(*line);
-  if (status && *status <= largest_status) return static_cast<int>(*status);
-  warnings.push_back(
-      fmt::format("{}: `{}` is no exit status; left aside", file.string(), line->substr(0, longest_quotation)));
-  return std::nullopt;
+  return read_line<int>(file, warnings, "is no exit status", [](const std::string& line) {
+    const std::optional<std::int64_t> status = whole_number(line);
+    const bool is_one = status && *status <= largest_status;
+    return is_one ? std::optional<int>(static_cast<int>(*status)) : std::nullopt;
+  });
 }
 
 std::optional<std::string> read_first_line(const std::filesystem::path& file) {

@@ -5,13 +5,17 @@
 
 #include <string>
 
+#include "executor/job_script.hpp"
+#include "executor/slurm.hpp"
 #include "fuzz/formats.hpp"
 #include "ingest/ingest.hpp"
 #include "ingest/run_files.hpp"
 #include "ingest/sample_log.hpp"
+#include "jobs/slurm_state.hpp"
 #include "report/analysis.hpp"
 #include "store/store.hpp"
 #include "study/check.hpp"
+#include "study/cluster.hpp"
 #include "study/error.hpp"
 #include "study/run_file.hpp"
 
@@ -76,6 +80,8 @@ void read_records(std::string_view bytes) {
   std::vector<std::string> warnings;
   static_cast<void>(read_process_file(file.path(), warnings));
   static_cast<void>(read_progress_file(file.path(), warnings));
+  static_cast<void>(read_job_file(file.path(), warnings));
+  static_cast<void>(read_status_file(file.path(), warnings));
   if (const auto exit = read_exit_file(file.path(), warnings); exit && exit->finished_unix_s)
     static_cast<void>(iso_utc(*exit->finished_unix_s));
 }
@@ -88,5 +94,20 @@ void read_point_file(std::string_view bytes) {
 }
 
 void read_check_reply(std::string_view bytes) { static_cast<void>(parse_check(std::string(bytes))); }
+
+void read_cluster_file(std::string_view bytes) {
+  const Cluster cluster = parse_cluster(std::string(bytes), "cluster.ini");
+  require(cluster.time_limit_s > 0, "a cluster file without a time limit was taken");
+  JobScript job{"/opt/rouleau-solver", "/home/campaign", "rouleau-fuzzed", 2, {{"0123456789ab", 1, "00"}}, {}};
+  require(!job_script(cluster, job).empty(), "no script");
+}
+
+void read_scheduler(std::string_view bytes) {
+  for (const JobRow& row : parse_job_rows(bytes))
+    require(!view_of(row.state, row.reason, row.nodes).words.empty(), "a job of which nothing can be said");
+  static_cast<void>(parse_job_id(bytes));
+  static_cast<void>(is_transient(bytes));
+  static_cast<void>(seconds_of_time_limit(std::string(bytes)));
+}
 
 }  // namespace rouleau::fuzz

@@ -25,17 +25,21 @@ void read_solver_log(std::string_view bytes);
 
 void read_study(std::string_view bytes);
 void read_campaign_log(std::string_view bytes);
-/// exit.json, process.json, progress.json: each reader sees the same bytes.
+/// exit.json, process.json, progress.json, job, status: each reader sees the same bytes.
 void read_records(std::string_view bytes);
 void read_point_file(std::string_view bytes);
 void read_check_reply(std::string_view bytes);
+/// A cluster file, and the job script that comes of it.
+void read_cluster_file(std::string_view bytes);
+/// What sbatch, squeue and their error streams say.
+void read_scheduler(std::string_view bytes);
 
 struct Format {
   std::string_view name;  ///< of its folder in corpus/
   Read read;
 };
 
-inline constexpr std::array<Format, 13> formats{{
+inline constexpr std::array<Format, 15> formats{{
     {"run_file", read_run_file},
     {"off", read_off},
     {"stl", read_stl},
@@ -49,6 +53,8 @@ inline constexpr std::array<Format, 13> formats{{
     {"records", read_records},
     {"point", read_point_file},
     {"check_reply", read_check_reply},
+    {"cluster", read_cluster_file},
+    {"scheduler", read_scheduler},
 }};
 
 }  // namespace rouleau::fuzz
