@@ -39,6 +39,7 @@ void gather_job(Gathered& gathered, JobAttempt attempt, const LifeOf& life_of) {
   gathered.job = attempt.job;
   gathered.action = life.action;
   gathered.is_shown = life.is_shown;
+  gathered.is_waiting = life.is_waiting;
   evidence.life = life.life;
   evidence.cause = life.cause;
   evidence.can_never_start = life.can_never_start;

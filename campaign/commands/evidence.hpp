@@ -29,6 +29,7 @@ struct Gathered {
   std::optional<JobFile> job;          ///< set: the attempt runs under Slurm
   JobAction action = JobAction::none;  ///< what is to be done about the job
   bool is_shown = false;               ///< the scheduler showed it, past our hold
+  bool is_waiting = false;             ///< and it waits for its start
   int ranks = 1;
   std::vector<std::string> warnings;  ///< damaged files
 };

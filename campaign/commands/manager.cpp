@@ -233,9 +233,12 @@ void Manager::cancel(const PointRow& point) {
   store_.change_state(point.key, point.state, State::cancelled, "cancelled by the user");
   if (const std::optional<AttemptRow> newest = store_.newest_attempt(point.key);
       newest && newest->state != AttemptState::ended) {
+    look_at_queue();
     const Gathered gathered = gather(run_directory(point.key), newest->number, life_of_attempt(&*newest));
-    // A job of Slurm finds the stop file, now or when it starts.
-    if (!gathered.job) executor_.ask_to_stop(gathered.process, run_directory(point.key), newest->number);
+    if (gathered.job)
+      leave_queue(*newest, gathered);
+    else
+      executor_.ask_to_stop(gathered.process, run_directory(point.key), newest->number);
   }
   say_(name_of(point) + ": cancelled");
 }

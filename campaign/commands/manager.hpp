@@ -102,6 +102,7 @@ class Manager {
   void look_at_queue();
   [[nodiscard]] LifeOf life_of_attempt(const AttemptRow* row) const;
   void settle(const PointRow& point);
+  void leave_queue(const AttemptRow& attempt, const Gathered& gathered);
   void follow_job(const PointRow& point, AttemptRow* newest, const Gathered& gathered);
   void record(const PointRow& point, const AttemptRow* newest, const Gathered& gathered, const Verdict& verdict);
   void add_unknown_attempts(const PointRow& point, int recorded_attempt, const Gathered& gathered);

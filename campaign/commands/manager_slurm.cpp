@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The manager's side of Slurm: which engine, one look a pass, and what a look means for an attempt.
+#include <algorithm>
+
 #include "commands/manager.hpp"
 #include "executor/attempt.hpp"
 #include "study/error.hpp"
@@ -58,6 +60,16 @@ double Manager::pass_interval_s() const {
 void Manager::write_job_file(const AttemptRow& attempt, const JobFile& job) const {
   write_whole_file(attempt_directory(run_directory(attempt.point), attempt.number) / "job",
                    fmt::format("slurm {} {}\n", job.id.empty() ? "-" : job.id, job.name));
+}
+
+/// A job that runs finds the stop file; one that waits is taken out of the queue, unless other points wait in it, too.
+void Manager::leave_queue(const AttemptRow& attempt, const Gathered& gathered) {
+  if (!gathered.is_waiting || attempt.job_id.empty()) return;
+  const std::vector<AttemptRow> open = store_.open_attempts();
+  const auto is_of_job = [&](const AttemptRow& other) { return other.job_id == attempt.job_id; };
+  if (std::count_if(open.begin(), open.end(), is_of_job) > 1) return;
+  if (const std::string trouble = slurm_->client().cancel(attempt.job_id); !trouble.empty())
+    warn_of({fmt::format("job {}: {}; it will end itself when it starts", attempt.job_id, trouble)});
 }
 
 void Manager::follow_job(const PointRow& point, AttemptRow* newest, const Gathered& gathered) {

@@ -74,10 +74,14 @@ JobLife SlurmEngine::life(const JobAttempt& attempt, const AttemptRow* row) cons
   trace.job = attempt.job.id.empty() ? id_of(attempt.job.name) : attempt.job.id;
   trace.is_submitted = !trace.job.empty();
   const auto found = by_id_.find(trace.job);
-  if (found != by_id_.end() && found->second->name == attempt.job.name)
+  if (found != by_id_.end() && found->second->name == attempt.job.name) {
     trace.view = view_of(found->second->state, found->second->reason, found->second->nodes);
-  else if (trace.answered && trace.is_submitted)
+    // A controller that dies forgets its newest seconds: a job that has begun may stand as held again, as submitted.
+    const bool has_begun = std::filesystem::exists(attempt_directory(attempt.run_directory, attempt.number) / "begun");
+    if (has_begun && found->second->reason == "JobHeldUser") trace.is_released = false;
+  } else if (trace.answered && trace.is_submitted) {
     trace.silent_s = silence_s(attempt.run_directory, attempt.number);
+  }
   return life_of_job(trace, cluster_.patience_min * 60);
 }
 

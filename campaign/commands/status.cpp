@@ -28,6 +28,7 @@ struct PointStatus {
   std::int64_t step = 0;
   int attempts = 0;
   bool lives = false;
+  bool is_queued = false;  ///< handed to Slurm, which has not started it yet
   std::string note;
 };
 
@@ -49,6 +50,9 @@ void look_at(PointStatus& status, const std::filesystem::path& run, const Attemp
   const bool is_open = newest && newest->state != AttemptState::ended;
   status.lives = gathered.evidence.life == Life::alive &&
                  (!gathered.job || (is_open && status.progress && status.progress->attempt == newest->number));
+  status.is_queued = point.state == State::running && gathered.job && is_open &&
+                     gathered.evidence.life == Life::alive && !status.lives &&
+                     !newest->job_state.starts_with("running");
   const Verdict verdict = judge(recorded_of(point, newest), gathered.evidence, RetryPolicy{});
   if (verdict.state != point.state)
     status.note = fmt::format("now {}: `rouleau run` or `sync` takes note", word_of(verdict.state));
@@ -76,6 +80,11 @@ PointStatus status_of(const Known& known, const std::filesystem::path& campaign,
   if (was_started) look_at(status, run, newest);
   if (!was_started && !point.in_study) status.note = "no longer in the study";
   return status;
+}
+
+/// For people: a point that waits in Slurm's queue does not run.
+std::string state_word(const PointStatus& status) {
+  return status.is_queued ? "queued" : std::string(word_of(status.point.state));
 }
 
 double fraction_of(const PointStatus& status) {
@@ -126,7 +135,7 @@ std::vector<Value> short_row(const PointStatus& s, double now) {
   const std::optional<ProgressFile>& p = s.progress;
   std::vector<Value> row = {fmt::format("#{}", s.point.ordinal)};
   row.insert(row.end(), s.swept.begin(), s.swept.end());
-  const std::vector<Value> rest = {std::string(word_of(s.point.state)),
+  const std::vector<Value> rest = {state_word(s),
                                    fmt::format("{:.0f} %", std::min(100.0, 100 * fraction_of(s))),
                                    s.lives && p && p->mlups ? Value(fmt::format("{:.1f}", *p->mlups)) : Value(),
                                    s.lives && p && p->eta_s ? Value(duration_text(*p->eta_s)) : Value(),
@@ -145,18 +154,17 @@ const std::vector<std::string> short_columns = {"state",      "done", "MLUPS",  
 
 /// "quick: 7 points: 3 done, 2 running, 2 waiting; about 2 h 10 min left"
 std::string summary(const CampaignRow& campaign, const std::vector<PointStatus>& all) {
-  std::map<State, int> counts;
+  std::map<std::string, int> counts;
   double remaining_s = 0, speed = 0;
   int living = 0;
   for (const PointStatus& s : all) {
-    ++counts[s.point.state];
+    ++counts[state_word(s)];
     if (!s.lives || !s.progress || s.progress->steps_per_s.value_or(0) <= 0) continue;
     ++living;
     speed += *s.progress->steps_per_s;
   }
   std::string text;
-  for (const auto& [state, count] : counts)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, word_of(state));
+  for (const auto& [word, count] : counts) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, word);
   text = fmt::format("{}: {} point{}: {}", campaign.name, all.size(), all.size() == 1 ? "" : "s", text);
   if (living == 0) return text;
   // Points that do not run yet are taken to go at the mean speed of those that do, as many at a time.
@@ -209,8 +217,8 @@ const Verb status_verb = {
     "  rouleau status my-campaign --format json   for programs\n"
     "  watch rouleau status my-campaign           every two seconds\n",
     "Reads only, and works while `rouleau run` runs. `left` and `MLUPS` are those of running jobs; `d/um` is the last\n"
-    "displacement. States: waiting, running, stopped (will be continued), done, failed (physics), refused (bad "
-    "input),\n"
+    "displacement. States: waiting, queued (by Slurm), running, stopped (will be continued), done,\n"
+    "failed (physics), refused (bad input),\n"
     "crashed (will be retried), exhausted (retries used up), cancelled.\n",
     Words::campaign,
     true,

@@ -50,6 +50,7 @@ JobLife pending(const JobTrace& trace, const JobView& view) {
   }
   JobLife life = alive(has_told_its_end(trace) ? view.words + "; goes on behind its checkpoint" : view.words);
   life.is_shown = true;
+  life.is_waiting = true;
   return life;
 }
 

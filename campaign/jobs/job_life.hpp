@@ -33,8 +33,9 @@ struct JobLife {
   Cause cause = Cause::none;
   bool can_never_start = false;
   JobAction action = JobAction::none;
-  bool is_shown = false;  ///< the scheduler showed the job, and past our hold
-  std::string words;      ///< for status and why
+  bool is_shown = false;    ///< the scheduler showed the job, and past our hold
+  bool is_waiting = false;  ///< and it waits for its start
+  std::string words;        ///< for status and why
 };
 
 /// The rules, in this order:

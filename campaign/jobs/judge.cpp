@@ -146,6 +146,7 @@ Verdict judge(const Recorded& recorded, const Evidence& evidence, const RetryPol
   Verdict verdict = ended(recorded, evidence, policy);
   if (recorded.state == State::cancelled) {
     verdict.state = State::cancelled;
+    if (evidence.life != Life::none) verdict.evidence = end_of(evidence);  // there will be no retry to tell of
     verdict.retries_used = recorded.retries_used;
     verdict.retry_in_s = 0;
   }

@@ -97,7 +97,7 @@ constexpr HeldReason impossible_reasons[] = {
 constexpr HeldReason waiting_reasons[] = {
     {"priority", Cause::none, "for its turn"},
     {"resources", Cause::none, "for free nodes"},
-    {"begintime", Cause::none, "until Slurm lets it start; so do jobs that it has put back into the queue"},
+    {"begintime", Cause::none, "for its start time, as after being put back into the queue"},
     {"dependency", Cause::none, "for another job"},
     {"reqnodenotavail", Cause::none, "for nodes that are down, drained or reserved"},
     {"nodes required for job are down", Cause::none, "for nodes that are down, drained or reserved"},
