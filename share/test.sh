@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs what is missing, builds everything, runs every test through ctest. Further arguments go to ctest (-R Skalak).
+more_packages=(slurm-wlm munge iproute2)  # tests/slurm starts a Slurm of its own
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 build all
 cd build

@@ -100,6 +100,7 @@ class Manager {
  private:
   void open_slurm(const std::filesystem::path& cluster);
   void look_at_queue();
+  void cancel_orphans();
   [[nodiscard]] LifeOf life_of_attempt(const AttemptRow* row) const;
   void settle(const PointRow& point);
   void leave_queue(const AttemptRow& attempt, const Gathered& gathered);

@@ -41,6 +41,17 @@ void Manager::look_at_queue() {
   is_new_look_ = slurm_ && slurm_->look();
   if (is_new_look_ && !slurm_->trouble().empty())
     warn_of({fmt::format("{}. Nothing is concluded from that; it is asked again.", slurm_->trouble())});
+  if (is_new_look_) cancel_orphans();
+}
+
+void Manager::cancel_orphans() {
+  for (const JobRow& job : slurm_->held_jobs()) {
+    const std::optional<AttemptRow> attempt = store_.attempt_with_token(job.name.substr(job_name_prefix.size()));
+    if (!attempt || attempt->state != AttemptState::ended) continue;  // of another campaign, or still followed
+    const std::string trouble = slurm_->client().cancel(job.id);
+    say_(fmt::format("job {} became visible after its point was submitted anew; {}", job.id,
+                     trouble.empty() ? "it is cancelled" : trouble));
+  }
 }
 
 LifeOf Manager::life_of_attempt(const AttemptRow* row) const {

@@ -46,7 +46,7 @@ JobScript Manager::script_of(const std::vector<AttemptRow>& attempts) {
   JobScript script;
   script.solver = solver_;
   script.campaign = directory_;
-  script.name = "rouleau-" + attempts.front().token;
+  script.name = std::string(job_name_prefix) + attempts.front().token;
   script.ranks = attempts.front().ranks;
   for (const AttemptRow& attempt : attempts) script.points.push_back({attempt.point, attempt.number, attempt.token});
   if (engine_.self_sustaining)

@@ -61,6 +61,15 @@ std::string SlurmEngine::id_of(const std::string& name) const {
   return found == by_name_.end() ? "" : found->second->id;
 }
 
+std::vector<JobRow> SlurmEngine::held_jobs() const {
+  std::vector<JobRow> held;
+  for (const JobRow& row : jobs_.rows) {
+    if (row.name.starts_with(job_name_prefix) && view_of(row.state, row.reason, row.nodes).phase == Phase::held)
+      held.push_back(row);
+  }
+  return held;
+}
+
 JobLife SlurmEngine::life(const JobAttempt& attempt, const AttemptRow* row) const {
   JobTrace trace;
   trace.answered = jobs_.answered;

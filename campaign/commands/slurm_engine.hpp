@@ -13,6 +13,9 @@
 
 namespace rouleau::campaign {
 
+/// The name of a job is this and the token of its first point's attempt.
+inline constexpr std::string_view job_name_prefix = "rouleau-";
+
 /// Where a campaign keeps its cluster file.
 [[nodiscard]] std::filesystem::path cluster_file(const std::filesystem::path& campaign);
 
@@ -33,6 +36,9 @@ class SlurmEngine {
 
   /// The id of the job of that name; "" = none is known.
   [[nodiscard]] std::string id_of(const std::string& name) const;
+
+  /// The held jobs that a manager's submission may have left, by the name that script_of() gives them.
+  [[nodiscard]] std::vector<JobRow> held_jobs() const;
 
   [[nodiscard]] const Cluster& cluster() const { return cluster_; }
   [[nodiscard]] const Slurm& client() const { return slurm_; }

@@ -84,6 +84,12 @@ std::map<std::string, AttemptRow> Store::newest_attempts() const {
   return newest;
 }
 
+std::optional<AttemptRow> Store::attempt_with_token(std::string_view token) const {
+  Statement statement = database_.prepare(std::string(attempt_columns) + "WHERE a.token = ?");
+  statement.bind(token);
+  return statement.step() ? std::optional(attempt_in(statement)) : std::nullopt;
+}
+
 std::vector<AttemptRow> Store::open_attempts() const {
   Statement statement =
       database_.prepare(std::string(attempt_columns) + "WHERE a.state <> 'ended' ORDER BY a.point, a.number");

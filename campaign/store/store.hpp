@@ -66,7 +66,8 @@ class Store {
   [[nodiscard]] std::vector<AttemptRow> attempts(std::string_view point) const;
   [[nodiscard]] std::optional<AttemptRow> newest_attempt(std::string_view point) const;
   [[nodiscard]] std::map<std::string, AttemptRow> newest_attempts() const;  ///< of every point that has one, by key
-  [[nodiscard]] std::vector<AttemptRow> open_attempts() const;              ///< planned or launched, of all points
+  [[nodiscard]] std::optional<AttemptRow> attempt_with_token(std::string_view token) const;
+  [[nodiscard]] std::vector<AttemptRow> open_attempts() const;  ///< planned or launched, of all points
   /// Writes all columns, over those of the same (point, number) if there is one.
   void put_attempt(const AttemptRow& attempt);
 
