@@ -154,17 +154,18 @@ const std::vector<std::string> short_columns = {"state",      "done", "MLUPS",  
 
 /// "quick: 7 points: 3 done, 2 running, 2 waiting; about 2 h 10 min left"
 std::string summary(const CampaignRow& campaign, const std::vector<PointStatus>& all) {
-  std::map<std::string, int> counts;
+  std::map<std::pair<State, bool>, int> counts;  // of each state, in Slurm's queue or not
   double remaining_s = 0, speed = 0;
   int living = 0;
   for (const PointStatus& s : all) {
-    ++counts[state_word(s)];
+    ++counts[{s.point.state, s.is_queued}];
     if (!s.lives || !s.progress || s.progress->steps_per_s.value_or(0) <= 0) continue;
     ++living;
     speed += *s.progress->steps_per_s;
   }
   std::string text;
-  for (const auto& [word, count] : counts) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, word);
+  for (const auto& [state, count] : counts)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, state.second ? "queued" : word_of(state.first));
   text = fmt::format("{}: {} point{}: {}", campaign.name, all.size(), all.size() == 1 ? "" : "s", text);
   if (living == 0) return text;
   // Points that do not run yet are taken to go at the mean speed of those that do, as many at a time.
