@@ -47,6 +47,8 @@ TEST(TimeLimit, IsMetBehindCheckpointsByAsManyJobsAsItTakes) {
   ASSERT_TRUE(campaign.sync_until_all(State::done)) << campaign.last_words();
   EXPECT_GE(campaign.attempts(1), 3);
   EXPECT_GE(campaign.attempts(2), 3);
+  // A point is done when its solver says so; its script ends a moment later.
+  ASSERT_TRUE(eventually([&] { return campaign.slurm.living().empty(); }));
   for (const FakeSlurm::Job& job : campaign.slurm.jobs()) EXPECT_EQ(job.state, "COMPLETED") << job.id;
   CampaignProgram::set_speed(100, 50);
   expect_local_outcome(campaign, "4, 5");
@@ -108,8 +110,12 @@ TEST(Requeue, OfAPackThatIsHalfDoneDoesTheOtherHalf) {
   campaign.slurm.control({"requeue", campaign.slurm.jobs().at(0).id, "kill"});
   ASSERT_TRUE(campaign.sync_until_all(State::done)) << campaign.last_words();
   EXPECT_EQ(campaign.attempts(1), 1);
-  EXPECT_EQ(campaign.attempts(2), 2);
-  EXPECT_EQ(campaign.slurm.jobs().size(), 1U);
+  // Two, or three in two jobs: a pass between the second start and its claim takes the first attempt's end for the
+  // point's and submits it anew; whichever claims last fences the other.
+  EXPECT_GE(campaign.attempts(2), 2);
+  EXPECT_LE(campaign.attempts(2), 3);
+  EXPECT_LE(campaign.slurm.jobs().size(), 2U);
+  ASSERT_TRUE(eventually([&] { return campaign.slurm.living().empty(); }));
   expect_local_outcome(campaign, "4, 5");
 }
 
@@ -182,11 +188,16 @@ TEST(Migration, ToSlurmAndBackKeepsEveryBit) {
   const FakeCampaign campaign("4, 5");
   campaign.script(1, "crash 60\n");
   campaign.script(2, "-\ncrash 80\n");
-  // Local until the crash, then Slurm, then local again.
+  // Local until both have a checkpoint, then Slurm, then local again.
+  const auto both_have_begun = [&] {
+    return std::filesystem::exists(campaign.program.run_directory(1) / "checkpoints/000000000010.h5") &&
+           std::filesystem::exists(campaign.program.run_directory(2) / "checkpoints/000000000010.h5");
+  };
   const auto run = [&](const std::string& engine) {
-    CampaignProgram::set_speed(2000, 10);
+    CampaignProgram::set_speed(20000, 10);  // 2 s a point
     const pid_t manager = campaign.program.start({"run", "c", "--engine", engine});
-    std::this_thread::sleep_for(std::chrono::milliseconds(engine == "local" ? 250 : 1500));
+    const bool is_local = engine == "local";
+    EXPECT_TRUE(eventually([&] { return is_local ? both_have_begun() : !campaign.slurm.jobs().empty(); }));
     ::kill(manager, SIGTERM);
     CampaignProgram::wait_for(manager);
   };
