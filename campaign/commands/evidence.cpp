@@ -35,6 +35,7 @@ void gather_job(Gathered& gathered, JobAttempt attempt, const LifeOf& life_of) {
   const std::optional<ExitFile> exit = read_exit_file(folder / "exit.json", gathered.warnings);
   if (exit) attempt.exit_code = exit->code;
   attempt.status = read_status_file(folder / "status", gathered.warnings);
+  attempt.start = read_start_file(folder / "start", gathered.warnings);
   const JobLife life = life_of.job(attempt);
   gathered.job = attempt.job;
   gathered.action = life.action;
@@ -64,7 +65,7 @@ Gathered gather(const std::filesystem::path& run_directory, int recorded_attempt
 
   const std::filesystem::path attempt = attempt_directory(run_directory, evidence.newest_attempt);
   if (const std::optional<JobFile> job = read_job_file(attempt / "job", gathered.warnings)) {
-    gather_job(gathered, {run_directory, evidence.newest_attempt, *job, {}, {}}, life_of);
+    gather_job(gathered, {run_directory, evidence.newest_attempt, *job, {}, {}, {}}, life_of);
     return gathered;
   }
   std::optional<ProcessFile> file = read_process_file(attempt / "process.json", gathered.warnings);

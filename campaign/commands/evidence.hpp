@@ -20,6 +20,7 @@ struct JobAttempt {
   int number = 0;
   JobFile job;
   std::optional<int> exit_code, status;
+  std::optional<int> start;  ///< which start of its job it belongs to: 0, 1, ...
 };
 
 /// The judge's evidence and the process or the job it is about.

@@ -88,6 +88,9 @@ JobLife SlurmEngine::life(const JobAttempt& attempt, const AttemptRow* row) cons
     // A controller that dies forgets its newest seconds: a job that has begun may stand as held again, as submitted.
     const bool has_begun = std::filesystem::exists(attempt_directory(attempt.run_directory, attempt.number) / "begun");
     if (has_begun && found->second->reason == "JobHeldUser") trace.is_released = false;
+    // Of a job that runs, only the attempts of its present start can tell their end. Asked only when one has told it.
+    const bool may_be_old = trace.view->phase == Phase::running && (trace.exit_code || trace.status);
+    if (may_be_old) trace.has_started_anew = !attempt.start || slurm_.restarts(trace.job) != attempt.start;
   } else if (trace.answered && trace.is_submitted) {
     trace.silent_s = silence_s(attempt.run_directory, attempt.number);
   }

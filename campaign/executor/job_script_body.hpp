@@ -32,6 +32,11 @@ newest_attempt() {
   echo "$newest"
 }
 
+# Takes the attempt, and notes which start of the job it belongs to; fails if it has begun before.
+begin() {
+  mkdir "attempts/$attempt/begun" 2>/dev/null && write "attempts/$attempt/start" "${SLURM_RESTART_COUNT:-0}"
+}
+
 # Makes an attempt ours: the one that the script was written for if nobody has begun it yet, else a new one. Whoever
 # makes a directory first has it, so that two copies of this job (Slurm may start the second while the first still runs
 # on a node out of its sight) never share an attempt, and the newer one fences the older. Sets attempt and token.
@@ -42,7 +47,7 @@ claim() {
     say "point $1: there is no attempt $attempt; it is left alone"
     return 1
   fi
-  mkdir "attempts/$attempt/begun" 2>/dev/null && return 0
+  begin && return 0
   if [ ! -d "attempts/$attempt/begun" ]; then
     say "point $1: cannot write in attempts/$attempt; it is left alone"
     return 1
@@ -75,7 +80,7 @@ claim() {
   token=${token//-/}
   write "attempts/$attempt/owner" "$token" &&
     write "attempts/$attempt/job" "slurm $SLURM_JOB_ID $name" &&
-    mkdir "attempts/$attempt/begun" || return 1
+    begin || return 1
   say "point $1: attempt $2 has begun before; this start is attempt $attempt"
 }
 

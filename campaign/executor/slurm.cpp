@@ -143,6 +143,16 @@ std::string parse_job_id(std::string_view text) {
   return id;
 }
 
+std::optional<int> parse_restarts(std::string_view text) {
+  constexpr std::size_t most_digits = 6;
+  std::optional<int> restarts;
+  for (const std::string& line : split(std::string(text), '\n')) {
+    const std::string word = trimmed(line);
+    if (is_number(word) && word.size() <= most_digits) restarts = std::stoi(word);
+  }
+  return restarts;
+}
+
 bool is_transient(std::string_view error) {
   std::string lower(error);
   std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -158,6 +168,12 @@ JobList Slurm::jobs() const {
   list.trouble = answer.trouble;
   if (list.answered) list.rows = parse_job_rows(answer.capture.out);
   return list;
+}
+
+std::optional<int> Slurm::restarts(const std::string& id) const {
+  const Answer answer = ask({"squeue", "-h", "-j", id, "-O", "RestartCnt"}, client_timeout_s_);
+  if (!answer.trouble.empty()) return std::nullopt;
+  return parse_restarts(answer.capture.out);
 }
 
 Submission Slurm::test_only(const std::filesystem::path& script) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,6 +45,8 @@ class Slurm {
 
   /// All jobs of this user that Slurm still knows, ended ones too.
   [[nodiscard]] JobList jobs() const;
+  /// How often Slurm has started this job again; nothing if it does not say.
+  [[nodiscard]] std::optional<int> restarts(const std::string& id) const;
   /// Whether Slurm would take this script. On success `id` is the number that it would have had; nothing is submitted.
   [[nodiscard]] Submission test_only(const std::filesystem::path& script) const;
   /// Submits a script that waits until it is released.
@@ -62,6 +65,9 @@ class Slurm {
 
 /// The job's number from what `sbatch --parsable` said: the last line that is a number, or a number;cluster; else "".
 [[nodiscard]] std::string parse_job_id(std::string_view text);
+
+/// The number in what `squeue -h -O RestartCnt` said: the last line that is nothing else.
+[[nodiscard]] std::optional<int> parse_restarts(std::string_view text);
 
 /// Whether an error text of Slurm tells of a state that passes (no controller, no munge, a full queue), rather than of
 /// a request that was refused.

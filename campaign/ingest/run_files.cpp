@@ -74,6 +74,16 @@ std::optional<std::int64_t> whole_number(const std::string& name) {
   return whole ? std::optional(number) : std::nullopt;
 }
 
+/// A file of one whole number up to `largest`.
+std::optional<int> read_number(const std::filesystem::path& file, std::vector<std::string>& warnings,
+                               const char* trouble, std::int64_t largest) {
+  return read_line<int>(file, warnings, trouble, [largest](const std::string& line) {
+    const std::optional<std::int64_t> number = whole_number(line);
+    const bool is_one = number && *number <= largest;
+    return is_one ? std::optional<int>(static_cast<int>(*number)) : std::nullopt;
+  });
+}
+
 /// The entries of a folder, none if there is no such folder.
 std::vector<std::filesystem::directory_entry> entries_of(const std::filesystem::path& folder) {
   std::error_code error;
@@ -154,11 +164,11 @@ std::optional<JobFile> read_job_file(const std::filesystem::path& file, std::vec
 }
 
 std::optional<int> read_status_file(const std::filesystem::path& file, std::vector<std::string>& warnings) {
-  return read_line<int>(file, warnings, "is no exit status", [](const std::string& line) {
-    const std::optional<std::int64_t> status = whole_number(line);
-    const bool is_one = status && *status <= largest_status;
-    return is_one ? std::optional<int>(static_cast<int>(*status)) : std::nullopt;
-  });
+  return read_number(file, warnings, "is no exit status", largest_status);
+}
+
+std::optional<int> read_start_file(const std::filesystem::path& file, std::vector<std::string>& warnings) {
+  return read_number(file, warnings, "is no count of restarts", INT_MAX);
 }
 
 std::optional<std::string> read_first_line(const std::filesystem::path& file) {

@@ -60,6 +60,8 @@ std::optional<ProgressFile> read_progress_file(const std::filesystem::path& file
 std::optional<JobFile> read_job_file(const std::filesystem::path& file, std::vector<std::string>& warnings);
 /// attempts/<k>/status: what the launcher of a job script ended with.
 std::optional<int> read_status_file(const std::filesystem::path& file, std::vector<std::string>& warnings);
+/// attempts/<k>/start: how often Slurm had started the job again when its script took the attempt.
+std::optional<int> read_start_file(const std::filesystem::path& file, std::vector<std::string>& warnings);
 
 /// The first line of a text file (attempts/<k>/owner), or nothing when there is none.
 std::optional<std::string> read_first_line(const std::filesystem::path& file);

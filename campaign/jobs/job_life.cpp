@@ -84,7 +84,7 @@ JobLife life_of_job(const JobTrace& trace, double patience_s) {
     return over(is_told ? Cause::none : view.cause, trace.exit_code ? "" : view.words);
   }
   if (view.phase != Phase::running) return pending(trace, view);
-  if (has_told_its_end(trace)) return over(Cause::none, end_words(trace));
+  if (has_told_its_end(trace) && !trace.has_started_anew) return over(Cause::none, end_words(trace));
   JobLife life = alive(view.words);
   life.is_shown = true;
   return life;

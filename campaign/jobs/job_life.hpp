@@ -13,15 +13,16 @@ namespace rouleau::campaign {
 
 /// What is known of an attempt under a scheduler.
 struct JobTrace {
-  bool answered = false;         ///< the scheduler answered when it was asked last
-  std::optional<JobView> view;   ///< of the attempt's job, if the scheduler knows it
-  std::string job;               ///< its id, for the words; "" = not known
-  std::optional<int> exit_code;  ///< of the attempt's exit.json
-  std::optional<int> status;     ///< of the attempt's status file: what its launcher ended with
-  bool is_submitted = false;     ///< its job's id is on record
-  bool is_released = false;      ///< and so is its release
-  double silent_s = 0;           ///< since anything of the attempt changed in the run directory
-  double since_intent_s = 0;     ///< from its plan to the scheduler's answer
+  bool answered = false;          ///< the scheduler answered when it was asked last
+  std::optional<JobView> view;    ///< of the attempt's job, if the scheduler knows it
+  std::string job;                ///< its id, for the words; "" = not known
+  std::optional<int> exit_code;   ///< of the attempt's exit.json
+  std::optional<int> status;      ///< of the attempt's status file: what its launcher ended with
+  bool is_submitted = false;      ///< its job's id is on record
+  bool is_released = false;       ///< and so is its release
+  bool has_started_anew = false;  ///< the job was started again since this attempt, or that cannot be told
+  double silent_s = 0;            ///< since anything of the attempt changed in the run directory
+  double since_intent_s = 0;      ///< from its plan to the scheduler's answer
 };
 
 /// What is to be done about the job itself.
@@ -46,7 +47,8 @@ struct JobLife {
 ///   3. a pending job will start the attempt, or (requeued) go on behind its checkpoint: alive. A job that we submitted
 ///      held and did not release yet is released now; one that Slurm holds after a failed launch is cancelled and over;
 ///      one that can never start is cancelled and refused
-///   4. the job runs: alive, unless exit.json or the status file tell the end of this attempt (others of its job go on)
+///   4. the job runs: alive, unless exit.json or the status file tell the end of this attempt (others of its job go
+///      on). Of a job that was started again since, they tell nothing: its script is about to claim the next attempt
 ///   5. the job has ended: so has the attempt
 ///   6. the scheduler does not know the job (forgotten, or not yet visible): over if exit.json or the status file says
 ///      so; else only after the run directory has been silent for `patience_s`. Absence alone is no proof.

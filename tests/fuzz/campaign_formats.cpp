@@ -82,6 +82,7 @@ void read_records(std::string_view bytes) {
   static_cast<void>(read_progress_file(file.path(), warnings));
   static_cast<void>(read_job_file(file.path(), warnings));
   static_cast<void>(read_status_file(file.path(), warnings));
+  static_cast<void>(read_start_file(file.path(), warnings));
   if (const auto exit = read_exit_file(file.path(), warnings); exit && exit->finished_unix_s)
     static_cast<void>(iso_utc(*exit->finished_unix_s));
 }
@@ -106,6 +107,7 @@ void read_scheduler(std::string_view bytes) {
   for (const JobRow& row : parse_job_rows(bytes))
     require(!view_of(row.state, row.reason, row.nodes).words.empty(), "a job of which nothing can be said");
   static_cast<void>(parse_job_id(bytes));
+  static_cast<void>(parse_restarts(bytes));
   static_cast<void>(is_transient(bytes));
   static_cast<void>(seconds_of_time_limit(std::string(bytes)));
 }

@@ -64,17 +64,24 @@ TEST(KilledManager, AtRandomMomentsLeavesNoTrace) {
   ASSERT_TRUE(calm.sync_until_all(State::done)) << calm.last_words();
   const FakeCampaign campaign("1:6:1", "jobs = 3\n");
   std::mt19937 random(6);
-  std::uniform_int_distribution<> pause_ms(0, 400);
+  using Clock = std::chrono::steady_clock;
+  Clock::duration pass = std::chrono::milliseconds(400);  // how long the last one took that was left alone
+  constexpr int kills = 12, most_tries = 200;
   int killed = 0, most = 0;
-  for (int kill = 0; kill < 25; ++kill) {
+  for (int attempt = 0; attempt < most_tries && killed < kills; ++attempt) {
+    const Clock::time_point begin = Clock::now();
     const pid_t manager = campaign.program.start({"sync", "c"});
-    std::this_thread::sleep_for(std::chrono::milliseconds(pause_ms(random)));
+    std::this_thread::sleep_for(pass * std::uniform_real_distribution<>(0, 1)(random));
     ::kill(manager, SIGKILL);
-    if (CampaignProgram::wait_for(manager) == 1000 + SIGKILL) ++killed;
+    if (CampaignProgram::wait_for(manager) == 1000 + SIGKILL) {
+      ++killed;
+    } else {
+      pass = std::min<Clock::duration>(pass, Clock::now() - begin);
+    }
     most = std::max(most, campaign.most_living_jobs_of_a_point());
     campaign.age_submissions();
   }
-  EXPECT_GT(killed, 5) << "the test proves nothing";
+  EXPECT_EQ(killed, kills) << "the test proves nothing";
   ASSERT_TRUE(campaign.sync_until([&] {
     campaign.age_submissions();
     most = std::max(most, campaign.most_living_jobs_of_a_point());

@@ -232,5 +232,12 @@ TEST(SlurmErrors, StatesThatPassAreToldFromRefusals) {
   }
 }
 
+TEST(SlurmRestarts, AreTheLastLineThatIsANumber) {
+  EXPECT_EQ(parse_restarts("0                   \n"), 0);
+  EXPECT_EQ(parse_restarts("Welcome\n  3  \n"), 3);
+  for (const char* text : {"", "\n", "N/A\n", "-1\n", "3 4\n", "99999999999999999999\n"})
+    EXPECT_EQ(parse_restarts(text), std::nullopt) << text;
+}
+
 }  // namespace
 }  // namespace rouleau::campaign

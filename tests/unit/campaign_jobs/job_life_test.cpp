@@ -96,6 +96,15 @@ TEST(JobLife, OnePointOfAPackEndsWhileItsJobRuns) {
   EXPECT_THAT(life.words, HasSubstr("137"));
 }
 
+TEST(JobLife, EndOfAnEarlierStartIsNoEndOfAJobThatRunsAgain) {
+  JobTrace trace = shown("RUNNING");
+  trace.exit_code = 75;
+  trace.has_started_anew = true;  // its script is about to claim the next attempt
+  EXPECT_EQ(life_of_job(trace, patience_s).life, Life::alive);
+  trace.has_started_anew = false;
+  EXPECT_EQ(life_of_job(trace, patience_s).life, Life::dead);
+}
+
 TEST(JobLife, LauncherThatEndsWithZeroAndNoRecordProvesNoEnd) {
   JobTrace trace = shown("RUNNING");
   trace.status = 0;
