@@ -10,6 +10,7 @@
 #include "run/command_line.hpp"
 #include "run/look.hpp"
 #include "run/parameter_table.hpp"
+#include "run/shape.hpp"
 #include "run/stop.hpp"
 #include "run/version.hpp"
 #include "storage/version.hpp"
@@ -50,6 +51,8 @@ int answer(const CommandLine& line) {
       return print(check_text(line.file, line.json, files));
     case Verb::inspect:
       return print(inspect_text(line.file, line.json, files));
+    case Verb::shape:
+      return print(shape_text(line.file, line.slice_normal, files));
     case Verb::verify: {
       const VerifyAnswer answer = verify_text(line.file, files);
       print(answer.text);

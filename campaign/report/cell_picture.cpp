@@ -10,10 +10,10 @@
 namespace rouleau::campaign {
 namespace {
 
-constexpr int slabs = 24, tones = 10;
+constexpr int slabs = 24;
 
 /// From shadow to light: vermillion, darker and lighter.
-std::string tone_colour(int tone) {
+std::string tone_colour(int tone, int tones) {
   constexpr std::array<double, 3> dark = {0x6B, 0x24, 0x00}, middle = {0xD5, 0x5E, 0x00}, light = {0xFF, 0xD2, 0xB0};
   const double place = static_cast<double>(tone) / (tones - 1);
   std::array<int, 3> colour{};
@@ -51,7 +51,7 @@ Eye eye_of(const View& view) {
 
 }  // namespace
 
-std::string cell_group(const CellMesh& cell, const View& view, const Frame& frame) {
+std::string cell_group(const CellMesh& cell, const View& view, const Frame& frame, int tones) {
   const Eye eye = eye_of(view);
   double nearest = -1e300, farthest = 1e300;
   for (const Point3& vertex : cell.vertices_um) {
@@ -86,7 +86,7 @@ std::string cell_group(const CellMesh& cell, const View& view, const Frame& fram
   // A line of the facet's own colour closes the seams that are seen between neighbours.
   std::string text = fmt::format("<g stroke-width=\"{:.2g}\" stroke-linejoin=\"round\">", 0.03 * frame.units_per_um);
   for (std::size_t i = 0; i < facets.size();) {
-    const std::string colour = tone_colour(facets[i].tone);
+    const std::string colour = tone_colour(facets[i].tone, tones);
     const std::size_t begin = i;
     text += fmt::format("<path fill=\"{0}\" stroke=\"{0}\" d=\"", colour);
     for (; i < facets.size() && facets[i].slab == facets[begin].slab && facets[i].tone == facets[begin].tone; ++i)

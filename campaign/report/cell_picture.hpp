@@ -26,7 +26,8 @@ struct Frame {
   [[nodiscard]] double y(double up_um) const { return bottom - units_per_um * (up_um - origin_up_um); }
 };
 
-/// A <g> of the triangles that face the eye, whole units, from far to near in slabs; of one tone in one path.
-[[nodiscard]] std::string cell_group(const CellMesh& cell, const View& view, const Frame& frame);
+/// A <g> of the triangles that face the eye, whole units, from far to near in slabs; of one of `tones` (at least 2) in
+/// one path.
+[[nodiscard]] std::string cell_group(const CellMesh& cell, const View& view, const Frame& frame, int tones);
 
 }  // namespace rouleau::campaign

@@ -16,17 +16,9 @@ namespace rouleau::campaign {
 namespace {
 
 constexpr double tile_width = 240, text_height = 30, gap = 10;
-constexpr double grain_um = 0.55;  // a cell of 4 um in radius keeps about 800 triangles
-
-/// How wide a window along x shows the first cell with room around it.
-double window_um(const Shape& shape) {
-  double low = 1e300, high = -1e300;
-  for (const Point3& vertex : shape.cells.front().vertices_um) {
-    low = std::min(low, vertex[0]);
-    high = std::max(high, vertex[0]);
-  }
-  return std::min(shape.box_um[0], std::max(10.0, 1.25 * (high - low)));
-}
+constexpr int tones = 12;
+constexpr const char* wall_look = "fill=\"none\" stroke=\"#222222\" stroke-width=\"3\"";
+constexpr double grain_um = 0.42;  // a cell of 4 um in radius keeps about 1400 triangles
 
 std::string text_at(double x, double y, const std::string& text) {
   return fmt::format(
@@ -42,51 +34,53 @@ double image_near(double x, double near, double period) { return x - period * st
 
 std::string svg_file_head(double width, double height, const std::string& title, const std::string& description) {
   std::string head = svg_head("picture", fmt::format("0 0 {:g} {:g}", width, height), title, description);
-  head.insert(
-      4, fmt::format(" xmlns=\"http://www.w3.org/2000/svg\" width=\"{:g}\" height=\"{:g}\"", width / 2, height / 2));
+  head.insert(4, fmt::format(" xmlns=\"http://www.w3.org/2000/svg\" width=\"{:g}\" height=\"{:g}\"", width, height));
   return head + "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
 }
 
-Tile shape_tile(const Shape& shape) {
-  const double window = window_um(shape), scale = tile_width / std::max(window, shape.box_um[1]);
+double window_um(const Shape& shape) {
+  double low = 1e300, high = -1e300;
+  for (const Point3& vertex : shape.cells.front().vertices_um) {
+    low = std::min(low, vertex[0]);
+    high = std::max(high, vertex[0]);
+  }
+  return std::min(shape.box_um[0], std::max(10.0, 1.25 * (high - low)));
+}
+
+Tile shape_tile(const Shape& shape, double window, const std::string& id) {
+  const double scale = tile_width / std::max(window, shape.box_um[1]);
   const double height = scale * shape.box_um[2];
   const double centre_x = centre_of(shape.cells.front())[0];
-  // Nested <svg> elements cut off what reaches out of the window.
   const Frame side{scale, centre_x - window / 2, 0, 0, height}, front{scale, 0, 0, 0, height};
   std::string sides, fronts;
   for (const CellMesh& cell : shape.cells) {
     CellMesh coarse = coarsened(cell, grain_um);
     const double x = centre_of(cell)[0], shift = image_near(x, centre_x, shape.box_um[0]) - x;
     for (Point3& vertex : coarse.vertices_um) vertex[0] += shift;
-    sides += cell_group(coarse, side_view, side);
-    fronts += cell_group(coarse, front_view, front);
+    sides += cell_group(coarse, side_view, side, tones);
+    fronts += cell_group(coarse, front_view, front, tones);
   }
   const double side_width = scale * window, front_width = scale * shape.box_um[1];
   const double side_left = (tile_width - side_width) / 2, front_left = (tile_width - front_width) / 2;
   Tile tile{tile_width, 2 * height + 3 * gap + text_height, ""};
-  const auto view = [&](double left, double top, double width, const std::string& inner) {
-    tile.body += fmt::format("<svg x=\"{:.4g}\" y=\"{:.4g}\" width=\"{:.4g}\" height=\"{:.4g}\">{}</svg>\n", left, top,
-                             width, height, inner);
-  };
-  view(side_left, gap, side_width, sides);
-  tile.body += fmt::format(
-      "<path d=\"M{0:.4g} {1:.4g}h{2:.4g}M{0:.4g} {3:.4g}h{2:.4g}\" stroke=\"#222222\" stroke-width=\"3\"/>", side_left,
-      gap, side_width, gap + height);
-  view(front_left, height + 2 * gap, front_width, fronts);
-  tile.body += fmt::format(
-      "<rect x=\"{:.4g}\" y=\"{:.4g}\" width=\"{:.4g}\" height=\"{:.4g}\" fill=\"none\" stroke=\"#222222\" "
-      "stroke-width=\"3\"/>\n",
-      front_left, height + 2 * gap, front_width, height);
+  // Another cell may reach out of the window; what does is cut off.
+  tile.body = fmt::format("<clipPath id=\"{}-window\"><rect width=\"{:.4g}\" height=\"{:.4g}\"/></clipPath>\n", id,
+                          side_width, height);
+  tile.body += fmt::format("<g transform=\"translate({:.4g} {:g})\"><g clip-path=\"url(#{}-window)\">{}</g>", side_left,
+                           gap, id, sides);
+  tile.body += fmt::format("<path d=\"M0 0h{0:.4g}M0 {1:.4g}h{0:.4g}\" {2}/></g>\n", side_width, height, wall_look);
   tile.body +=
-      text_at(tile_width / 2, tile.height - 8,
-              fmt::format("t = {:.3g} s, d = {:.2f} µm", shape.time_s, displacement_um(shape, shape.cells[0])));
+      fmt::format("<g transform=\"translate({:.4g} {:.4g})\">{}<rect width=\"{:.4g}\" height=\"{:.4g}\" {}/></g>\n",
+                  front_left, height + 2 * gap, fronts, front_width, height, wall_look);
+  tile.body += text_at(tile_width / 2, tile.height - 8,
+                       fmt::format("{:.3g} s, d {:.2f} µm", shape.time_s, displacement_um(shape, shape.cells[0])));
   return tile;
 }
 
-Tile slice_tile(const Shape& shape) {
+Tile slice_tile(const Shape& shape, double window) {
   const FlagSlice& slice = shape.slice.value();
   const std::size_t up = slice.normal == 1 ? 2 : 1;
-  const double window = window_um(shape) + 2, scale = 480 / window;
+  const double scale = 480 / window;
   const double centre_x = centre_of(shape.cells.front())[0];
   const Frame frame{scale, centre_x - window / 2, 0, 0, scale * shape.box_um[up] + gap};
   const double node = scale * slice.spacing_um;
@@ -134,8 +128,10 @@ std::string tile_element(const Tile& tile, const std::string& id, const std::str
 std::string film_strip(const std::vector<Shape>& shapes, const std::string& name) {
   std::vector<Tile> tiles;
   double row_height = 0;
+  double window = 0;
+  for (const Shape& shape : shapes) window = std::max(window, window_um(shape));
   for (const Shape& shape : shapes) {
-    tiles.push_back(shape_tile(shape));
+    tiles.push_back(shape_tile(shape, window, fmt::format("picture-{}", tiles.size())));
     row_height = std::max(row_height, tiles.back().height);
   }
   const std::size_t columns = std::min<std::size_t>(6, std::max<std::size_t>(3, tiles.size()));

@@ -15,13 +15,17 @@ struct Tile {
   std::string body;
 };
 
-/// Side view (the flow goes to the right) above the front view, walls as lines, the time below. Triangles are made
-/// coarser: a tile takes about 10 kB.
-[[nodiscard]] Tile shape_tile(const Shape& shape);
+/// How wide a window along x shows the first cell with room around it.
+[[nodiscard]] double window_um(const Shape& shape);
+
+/// Side view (the flow goes to the right) above the front view, walls as lines, the time below. Tiles of the same
+/// window and channel are of one scale. Triangles are made coarser: a tile takes about 20 kB. `id` is unique in the
+/// page.
+[[nodiscard]] Tile shape_tile(const Shape& shape, double window, const std::string& id);
 
 /// The flags of a slice around the first cell: squares inside, dots outside, the membrane as a line.
 /// Needs shape.slice.
-[[nodiscard]] Tile slice_tile(const Shape& shape);
+[[nodiscard]] Tile slice_tile(const Shape& shape, double window);
 
 /// A tile as an element of a page. `id` is unique there.
 [[nodiscard]] std::string tile_element(const Tile& tile, const std::string& id, const std::string& title,

@@ -16,6 +16,7 @@ namespace rouleau::campaign {
 namespace {
 
 constexpr double width = 2400, margin = 60, wall = 16, heading = 110, footing = 120;
+constexpr int tones = 40;
 
 std::string text_at(double x, double y, const char* anchor, const std::string& text) {
   return fmt::format(
@@ -58,7 +59,7 @@ std::string channel_picture(const Shape& shape, const std::string& name) {
   const Frame side{scale, first_um, 0, 0, tall}, front{scale, 0, 0, 0, tall};
   std::string sides, fronts;
   for (const CellMesh& cell : shape.cells) {
-    fronts += cell_group(cell, front_view, front);
+    fronts += cell_group(cell, front_view, front, tones);
     const double x = centre_of(cell)[0], near = image_near(x, first_um + window / 2, length);
     for (const int period : {-1, 0, 1}) {  // a cell on the seam is seen at both ends
       CellMesh image = cell;
@@ -68,7 +69,7 @@ std::string channel_picture(const Shape& shape, const std::string& name) {
         low = std::min(low, vertex[0]);
         high = std::max(high, vertex[0]);
       }
-      if (high > first_um && low < first_um + window) sides += cell_group(image, side_view, side);
+      if (high > first_um && low < first_um + window) sides += cell_group(image, side_view, side, tones);
     }
   }
   const double d = displacement_um(shape, shape.cells.front());
@@ -99,14 +100,14 @@ std::string channel_picture(const Shape& shape, const std::string& name) {
   text += line_to(margin, base - 16, margin + 180, base - 16, dark_look);
   text += fmt::format("<path d=\"M{0:.5g} {1:.5g}l-36 -20v40z\" fill=\"#222222\"/>\n", margin + 200, base - 16);
   text += text_at(margin + 220, base, "start", "flow");
-  const double bar = bar_um(window / 4), bar_right = margin + side_width, bar_left = bar_right - scale * bar;
+  const double bar = bar_um(window / 3), bar_right = margin + side_width, bar_left = bar_right - scale * bar;
   text += line_to(bar_left, base - 16, bar_right, base - 16, "stroke=\"#222222\" stroke-width=\"12\"");
   text += text_at(bar_left - 20, base, "end", fmt::format("{:g} µm", bar));
   text += fmt::format(
       "<circle cx=\"{0:.5g}\" cy=\"{1:.5g}\" r=\"22\" fill=\"none\" stroke=\"#222222\" stroke-width=\"6\"/>"
       "<circle cx=\"{0:.5g}\" cy=\"{1:.5g}\" r=\"7\" fill=\"#222222\"/>\n",
       front_left + 26, base - 16);
-  text += text_at(front_left + 64, base, "start", "flow, towards the eye");
+  text += text_at(front_left + 64, base, "start", "towards the eye");
   return text + "</svg>\n";
 }
 

@@ -15,10 +15,10 @@ std::string figure_script(const Figure& figure, FigureFormat format) {
   text += "reset\nset encoding utf8\n";
   // noenhanced: text of a study is shown as it is, not read as markup.
   text += format == FigureFormat::svg
-              ? fmt::format("set terminal svg noenhanced size {:.0f},{:.0f} dynamic font 'sans,13' linewidth 1.2\n",
+              ? fmt::format("set terminal svg noenhanced size {:.0f},{:.0f} dynamic font 'sans,14' linewidth 1.2\n",
                             figure.width_px, figure.height_px)
               : fmt::format(
-                    "set terminal pdfcairo noenhanced size {:.2f}cm,{:.2f}cm font 'sans,7' linewidth 0.7 "
+                    "set terminal pdfcairo noenhanced size {:.2f}cm,{:.2f}cm font 'sans,6' linewidth 0.7 "
                     "fontscale 1\n",
                     figure.width_cm, figure.height_cm);
   text += fmt::format("set output '{}.{}'\n", figure.name, ending);

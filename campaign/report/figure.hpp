@@ -14,7 +14,7 @@ struct Figure {
   std::string description;  ///< what is to be seen, for who cannot see it
   std::string data;         ///< the text of NAME.dat, with a comment that names the columns
   std::string script;
-  double width_px = 760, height_px = 380;  ///< on the page
+  double width_px = 500, height_px = 330;  ///< on the page
   double width_cm = 8.6, height_cm = 6;    ///< in print: one column of a journal
 };
 

@@ -22,8 +22,10 @@ std::string one_line(std::string_view text) {
 std::string gnuplot_quoted(std::string_view text) {
   std::string out = "'";
   for (const char c : one_line(text)) {
-    if (c == '\'') out += c;
-    out += c;
+    if (c == '\'')
+      out += "\u2019";
+    else
+      out += c;
   }
   return out + "'";
 }

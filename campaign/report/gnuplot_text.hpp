@@ -8,8 +8,9 @@
 
 namespace rouleau::campaign {
 
-/// `text` in single quotes, in which gnuplot expands neither backquotes, macros nor backslashes; a quote is doubled,
-/// line ends and other control characters become blanks.
+/// `text` in single quotes, in which gnuplot expands neither backquotes, macros nor backslashes. A quote becomes an
+/// apostrophe (U+2019): gnuplot 5.4 misreads a string that begins with a doubled one. Line ends and other control
+/// characters become blanks.
 [[nodiscard]] std::string gnuplot_quoted(std::string_view text);
 
 /// A comment line: one line, whatever `text` holds.

@@ -69,8 +69,8 @@ std::string view_box_of(const std::string& head) {
 std::string svg_head(const std::string& id, const std::string& view_box, const std::string& title,
                      const std::string& description) {
   return fmt::format(
-      "<svg role=\"img\" viewBox=\"{1}\" aria-labelledby=\"{0}-title {0}-desc\"><title id=\"{0}-title\">{2}"
-      "</title><desc id=\"{0}-desc\">{3}</desc>\n",
+      "<svg role=\"img\" viewBox=\"{1}\" aria-label=\"{2}\" aria-describedby=\"{0}-desc\"><title>{2}</title>"
+      "<desc id=\"{0}-desc\">{3}</desc>\n",
       id, view_box, escaped(title), escaped(description));
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "report/boundary.hpp"
@@ -15,6 +16,9 @@
 
 namespace rouleau::campaign {
 namespace {
+
+/// Values of a second axis up to which each has a line in the key; the map shows them better.
+constexpr std::size_t most_named_rows = 4;
 
 /// A marker: one cell of a point.
 struct Marker {
@@ -65,9 +69,8 @@ std::string counts(const std::vector<Marker>& markers) {
   return text;
 }
 
-/// One `plot` element a class and state that occurs, in columns x:y of block 0.
-std::string marker_plots(const std::string& file, const std::vector<Marker>& markers, const char* columns,
-                         bool with_errors) {
+/// One `plot` element a class and state that occurs, d with errors or y over x.
+std::string marker_plots(const std::string& file, const std::vector<Marker>& markers, bool with_errors) {
   std::string plots;
   for (std::size_t look = 0; look < class_looks.size(); ++look) {
     const ClassLook& is = class_looks[look];
@@ -76,15 +79,29 @@ std::string marker_plots(const std::string& file, const std::vector<Marker>& mar
       if (std::none_of(markers.begin(), markers.end(), occurs)) continue;
       const std::string only =
           fmt::format("'{}' index 0 using ($5 == {} && $6 == {:d} ? $1 : NaN):", file, look, is_done);
-      const bool has_error = std::any_of(markers.begin(), markers.end(),
-                                         [&](const Marker& m) { return occurs(m) && m.error_um.has_value(); });
-      if (with_errors && has_error)
-        plots += fmt::format(", \\\n  {}3:4 with yerrorbars pt 0 ps 0 lw 1.2 lc rgb '{}' notitle", only, is.colour);
-      plots += fmt::format(", \\\n  {}{} with points pt {} ps 1.1 lc rgb '{}' title '{}{}'", only, columns,
-                           is_done ? is.filled : is.open, is.colour, is.name, is_done ? "" : ", not done");
+      const std::string marker = fmt::format("pt {} ps 1.1 lc rgb '{}' title '{}{}'", is_done ? is.filled : is.open,
+                                             is.colour, is.name, is_done ? "" : ", not done");
+      // x == x is false for NaN: a point without an error is drawn all the same.
+      plots += with_errors ? fmt::format(", \\\n  {}3:($4 == $4 ? $4 : 0) with yerrorbars lw 1.2 {}", only, marker)
+                           : fmt::format(", \\\n  {}2 with points {}", only, marker);
     }
   }
   return plots;
+}
+
+/// Makes room for a key above the plot: three short names a line, or one long one.
+void add_key(Figure& figure, const std::string& plots) {
+  int names = 0;
+  std::size_t longest = 0;
+  for (std::size_t at = 0; (at = plots.find(" title '", at)) != std::string::npos;) {
+    at += 8;
+    const std::size_t length = plots.find('\'', at) - at;
+    longest = std::max(longest, length);
+    names += length > 0 ? 1 : 0;
+  }
+  const int lines = longest > 20 ? names : (names + 2) / 3;
+  figure.height_px += 22.0 * lines;
+  figure.script += fmt::format("set key outside top center horizontal maxrows {} samplen 1.5\n", lines);
 }
 
 std::string marker_data(const std::vector<Marker>& markers, const std::string& x, const std::string& y) {
@@ -110,26 +127,30 @@ std::string range_of(const std::vector<Marker>& markers, double Marker::*member)
 }
 
 std::string threshold_plots(const Analysis& analysis) {
-  constexpr const char* line = ", \\\n  {:.7g} with lines dt 3 lw 0.8 lc rgb '{}' {}";
-  return fmt::format(fmt::runtime(line), analysis.croissant_d_um, grey, "title 'thresholds'") +
-         fmt::format(fmt::runtime(line), analysis.slipper_d_um, grey, "notitle");
+  return fmt::format(
+      "{0:.7g} with lines dt 3 lw 0.8 lc rgb '{2}' title 'thresholds', \\\n  {1:.7g} with lines dt 3 lw 0.8 lc "
+      "rgb '{2}' notitle",
+      analysis.croissant_d_um, analysis.slipper_d_um, grey);
 }
 
-/// The markers' second values, each with a line through its markers in a block of its own.
-std::string add_lines(Figure& figure, std::vector<Marker> markers, const std::string& axis) {
-  std::set<double> rows;
-  for (const Marker& m : markers) rows.insert(m.y);
+/// Lines through the points that are done, one for each value of the second axis if there is one, each in a block of
+/// its own.
+std::string add_lines(Figure& figure, std::vector<Marker> markers, const std::vector<std::string>& axes) {
+  std::erase_if(markers, [](const Marker& m) { return !m.is_done; });
   std::stable_sort(markers.begin(), markers.end(), [](const Marker& a, const Marker& b) { return a.x < b.x; });
+  std::map<double, std::vector<Marker>> rows;
+  for (const Marker& m : markers) rows[m.y].push_back(m);
   std::string plots;
   int block = 0;
-  for (const double y : rows) {
-    figure.data += "\n\n" + gnuplot_comment(fmt::format("x, d_mean_um at {} = {}", axis, y));
-    for (const Marker& m : markers)
-      if (m.y == y) figure.data += fmt::format("{} {}\n", gnuplot_number(m.x), gnuplot_number(m.d_um));
+  for (const auto& [y, row] : rows) {
+    if (row.size() < 2) continue;
+    const std::string name = axes.size() > 1 ? parameter_words(axes[1], fmt::format("{:.6g}", y)) : "all";
     ++block;
-    plots += fmt::format("{}'{}.dat' index {} using 1:2 with lines lw 0.8 dt {} lc rgb '#8c8c8c' title {}",
-                         plots.empty() ? "" : ", \\\n  ", figure.name, block, 1 + (block - 1) % 5,
-                         rows.size() > 10 ? "''" : gnuplot_quoted(parameter_words(axis, fmt::format("{:.6g}", y))));
+    figure.data += "\n\n" + gnuplot_comment("x, d_mean_um of the points that are done: " + name);
+    for (const Marker& m : row) figure.data += fmt::format("{} {}\n", gnuplot_number(m.x), gnuplot_number(m.d_um));
+    plots += fmt::format(", \\\n  '{}.dat' index {} using 1:2 with lines lw 0.8 dt {} lc rgb '#8c8c8c' title {}",
+                         figure.name, block, 1 + (block - 1) % 5,
+                         axes.size() < 2 || rows.size() > most_named_rows ? "''" : gnuplot_quoted(name));
   }
   return plots;
 }
@@ -151,13 +172,13 @@ std::optional<Figure> phase_figure(const ReportData& data) {
       data.analysis.window_s, x, counts(markers), data.points.size(), data.analysis.croissant_d_um,
       data.analysis.slipper_d_um);
   figure.data = marker_data(markers, x, axes.size() > 1 ? axis_title(axes[1]) : "none");
-  std::string plots = axes.size() > 1 ? add_lines(figure, markers, axes[1])
-                                      : "'phase.dat' index 0 using 1:3 with lines lw 0.8 lc rgb '#b3b3b3' notitle";
-  plots += threshold_plots(data.analysis) + marker_plots("phase.dat", markers, "3", true);
+  const std::string lines = add_lines(figure, markers, axes);
+  const std::string plots = threshold_plots(data.analysis) + lines + marker_plots("phase.dat", markers, true);
   figure.script =
       fmt::format("set xlabel {}\nset ylabel 'd, µm'\nset xrange {}\nset yrange [0:*]\nset offsets 0,0,0.05,0\n",
                   gnuplot_quoted(x), range_of(markers, &Marker::x));
-  figure.script += "set key outside top center horizontal maxrows 3 samplen 1.5\nplot " + plots + "\n";
+  add_key(figure, plots);
+  figure.script += "plot " + plots + "\n";
   return figure;
 }
 
@@ -180,7 +201,7 @@ std::optional<Figure> map_figure(const ReportData& data) {
   figure.title = fmt::format("Classes over {} and {}", x, y);
   figure.description = fmt::format(
       "Class of each point over {} and {}: {}. The line runs midway between the last croissant "
-      "and the first slipper of a row, its bars from one to the other; {} such changes.",
+      "and the first slipper of a row, its bars from one to the other; number of such changes: {}.",
       x, y, counts(markers), crossings.size());
   figure.data = marker_data(markers, x, y);
   std::string plots;
@@ -192,11 +213,12 @@ std::optional<Figure> map_figure(const ReportData& data) {
         "'map.dat' index 1 using 1:2 with lines lw 2 lc rgb '#404040' title 'boundary', \\\n"
         "  'map.dat' index 1 using 1:2:3:4 with xerrorbars pt 0 ps 0 lw 1 lc rgb '#404040' notitle";
   }
-  plots += marker_plots("map.dat", markers, "2", false);
+  plots += marker_plots("map.dat", markers, false);
   if (plots.starts_with(", \\\n  ")) plots.erase(0, 6);
   figure.script = fmt::format("set xlabel {}\nset ylabel {}\nset xrange {}\nset yrange {}\n", gnuplot_quoted(x),
                               gnuplot_quoted(y), range_of(markers, &Marker::x), range_of(markers, &Marker::y));
-  figure.script += "set key outside top center horizontal maxrows 3 samplen 1.5\nplot " + plots + "\n";
+  add_key(figure, plots);
+  figure.script += "plot " + plots + "\n";
   return figure;
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "report/cell_tiles.hpp"
@@ -38,50 +39,47 @@ std::string folded(bool is_open, const std::string& summary, const std::string& 
 
 std::string heading_of(const ReportPoint& point) { return fmt::format("#{}: {}", point.row.ordinal, point.label()); }
 
-/// One point after the other, or, when they are many, folded by class.
+/// One point after the other, or, when they are many, folded by class; in an element of class `box` if one is named.
 template <class BodyOf>
-std::string by_point(const ReportData& data, const BodyOf& body_of) {
-  if (data.points.size() <= most_spread_points) {
-    std::string text;
-    for (const ReportPoint& point : data.points) text += body_of(point);
-    return text;
-  }
-  std::string text;
+std::string by_point(const ReportData& data, const std::string& box, const BodyOf& body_of) {
+  const auto boxed = [&](const std::string& body) {
+    return box.empty() || body.empty() ? body : fmt::format("<div class=\"{}\">\n{}</div>\n", box, body);
+  };
   std::array<std::string, class_looks.size() + 1> bodies;
   std::array<int, class_looks.size() + 1> counts{};
+  const bool is_spread = data.points.size() <= most_spread_points;
   for (const ReportPoint& point : data.points) {
     std::size_t group = class_looks.size();
-    for (std::size_t look = 0; look < class_looks.size(); ++look)
+    for (std::size_t look = 0; look < class_looks.size() && !is_spread; ++look)
       if (point.result() != nullptr && point.result()->phase == class_looks[look].name) group = look;
     const std::string body = body_of(point);
     bodies[group] += body;
     counts[group] += body.empty() ? 0 : 1;
   }
+  if (is_spread) return boxed(bodies.back());
+  std::string text;
   for (std::size_t group = 0; group < bodies.size(); ++group) {
     if (counts[group] == 0) continue;
     const std::string name = group < class_looks.size() ? std::string(class_looks[group].name) : "without a result";
-    text +=
-        folded(false, fmt::format("{}: {} point{}", name, counts[group], counts[group] == 1 ? "" : "s"), bodies[group]);
+    text += folded(false, fmt::format("{}: {} point{}", name, counts[group], counts[group] == 1 ? "" : "s"),
+                   boxed(bodies[group]));
   }
   return text;
 }
 
 std::string series_section(const ReportData& data, const PageParts& parts) {
-  std::string text = by_point(data, [&](const ReportPoint& point) {
+  return by_point(data, "figures", [&](const ReportPoint& point) {
     const auto found = parts.series.find(point.row.ordinal);
-    return found == parts.series.end() ? "" : figure_element(found->second, true);
+    return found == parts.series.end() ? std::string() : figure_element(found->second, true);
   });
-  // The grid goes around the figures, inside of what folds them.
-  if (data.points.size() <= most_spread_points)
-    return text.empty() ? "" : "<div class=\"figures\">\n" + text + "</div>\n";
-  return text;
 }
 
-std::string shape_row(const ReportPoint& point, const std::vector<Shape>& shapes) {
+std::string shape_row(const ReportPoint& point, const std::vector<Shape>& shapes, double window) {
   std::string text = fmt::format("<h3>{}</h3>\n<div class=\"tiles\">\n", escaped(heading_of(point)));
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const Shape& shape = shapes[i];
-    text += tile_element(shape_tile(shape), fmt::format("shape-{}-{}", point.row.ordinal, i),
+    const std::string id = fmt::format("shape-{}-{}", point.row.ordinal, i);
+    text += tile_element(shape_tile(shape, window, id), id,
                          fmt::format("Cell of {} at {:.3g} s", heading_of(point), shape.time_s),
                          fmt::format("Side view above, front view below; its centre is {:.2f} µm from the axis.",
                                      displacement_um(shape, shape.cells.front())));
@@ -90,9 +88,12 @@ std::string shape_row(const ReportPoint& point, const std::vector<Shape>& shapes
 }
 
 std::string shape_section(const ReportData& data, const PageParts& parts) {
-  const std::string rows = by_point(data, [&](const ReportPoint& point) {
+  double window = 0;  // one for all, so that they can be compared
+  for (const auto& [ordinal, shapes] : parts.shapes)
+    for (const Shape& shape : shapes) window = std::max(window, window_um(shape));
+  const std::string rows = by_point(data, "", [&](const ReportPoint& point) {
     const auto found = parts.shapes.find(point.row.ordinal);
-    return found == parts.shapes.end() ? std::string() : shape_row(point, found->second);
+    return found == parts.shapes.end() ? std::string() : shape_row(point, found->second, window);
   });
   if (rows.empty()) return "";
   return "<p>From checkpoints and snapshots on the disk, oldest first. Above: from the side, the flow goes to the "
@@ -102,6 +103,8 @@ std::string shape_section(const ReportData& data, const PageParts& parts) {
 }
 
 std::string slice_section(const ReportData& data, const PageParts& parts) {
+  double window = 0;
+  for (const auto& [ordinal, shape] : parts.slices) window = std::max(window, window_um(shape));
   std::string text;
   for (const ReportPoint& point : data.points) {
     const auto found = parts.slices.find(point.row.ordinal);
@@ -109,7 +112,7 @@ std::string slice_section(const ReportData& data, const PageParts& parts) {
     const Shape& shape = found->second;
     text += fmt::format(
         "<figure>{}<figcaption>{}</figcaption></figure>\n",
-        tile_element(slice_tile(shape), fmt::format("slice-{}", point.row.ordinal),
+        tile_element(slice_tile(shape, window), fmt::format("slice-{}", point.row.ordinal),
                      fmt::format("Inside and outside of the cell of {} at {:.3g} s", heading_of(point), shape.time_s),
                      "Nodes inside the cell are squares, nodes outside are dots, the membrane is a line."),
         escaped(heading_of(point)));

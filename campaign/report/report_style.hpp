@@ -17,18 +17,20 @@ h3 { font-size: 1rem; margin: 1rem 0 0.3rem; }
 a { color: #004b87; }
 nav a { display: inline-block; margin-right: 0.9rem; padding: 0.2rem 0; }
 figure { margin: 0.6rem 0; min-width: 0; }
-figure > svg { display: block; width: 100%; height: auto; }
+figure > svg { display: block; width: 100%; max-width: 42rem; height: auto; }
 figure text { font-family: inherit; }
 figcaption { font-size: 0.9rem; color: #404040; }
 .figures { display: grid; gap: 1rem; grid-template-columns: repeat(auto-fill, minmax(min(100%, 26rem), 1fr)); }
-.tiles { display: grid; gap: 0.5rem; grid-template-columns: repeat(auto-fill, minmax(8.5rem, 1fr)); }
+.tiles { display: grid; gap: 0.5rem; grid-template-columns: repeat(auto-fill, minmax(9rem, 1fr)); }
 .tiles svg, .slices svg { display: block; width: 100%; max-width: 15rem; height: auto; }
-.slices { display: grid; gap: 1rem; grid-template-columns: repeat(auto-fill, minmax(min(100%, 15rem), 1fr)); }
+.slices { display: grid; gap: 1rem; grid-template-columns: repeat(auto-fill, minmax(min(100%, 15rem), 1fr));
+  align-items: end; }
 .slices svg { max-width: 22rem; }
 .note { border-left: 4px solid #D55E00; background: #fff4ec; padding: 0.5rem 0.8rem; margin: 0.6rem 0; }
 .wide { overflow-x: auto; }
-table { border-collapse: collapse; font-size: 0.9rem; font-variant-numeric: tabular-nums; }
-caption { text-align: left; font-weight: 600; padding: 0.3rem 0; }
+caption { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
+table { position: relative; overflow-wrap: normal; border-collapse: collapse; font-size: 0.9rem;
+  font-variant-numeric: tabular-nums; }
 th, td { text-align: left; padding: 0.3rem 0.8rem 0.3rem 0; border-bottom: 1px solid #cccccc; vertical-align: top; }
 td { white-space: nowrap; }
 td:last-child { white-space: normal; min-width: 8rem; }
@@ -39,6 +41,7 @@ pre { overflow: auto; max-height: 40rem; background: #f5f5f5; padding: 0.8rem; f
   white-space: pre-wrap; }
 summary { cursor: pointer; padding: 0.4rem 0; font-weight: 600; }
 .sign { font-size: 0.9em; }
+@media (max-width: 30rem) { .tiles { grid-template-columns: repeat(auto-fill, minmax(6.5rem, 1fr)); } }
 @media print {
   @page { margin: 15mm; }
   body { font-size: 10pt; max-width: none; padding: 0; }

@@ -32,13 +32,38 @@ bool has_numbers(const std::vector<double>& values) {
 
 bool is_drawn(const Curve& curve) { return has_numbers(curve.d_um) && has_numbers(curve.asphericity); }
 
-/// Two panels, `plots(column)` in each.
+/// At most six tics from 0 to `end`.
+std::string time_tics(double end) {
+  double step = std::pow(10, std::floor(std::log10(std::max(end, 1e-9) / 5)));
+  for (const double factor : {2.0, 2.5, 2.0})
+    if (end / step > 5.5) step *= factor;
+  return fmt::format("set xtics {:.3g}\n", step);
+}
+
+/// Two panels of equal height, `plots(column)` in each; above them `rows` lines of a key of so many columns.
 template <class Plots>
-std::string two_panels(const Plots& plots) {
-  std::string script = "set multiplot layout 2,1 spacing 0.0,0.06\nset lmargin 9\nset yrange [0:*]\n";
-  script += "set format x ''\nset ylabel 'd, µm'\nset bmargin 0.6\nset tmargin 0.6\nplot " + plots(2) + "\n";
-  script += "set format x '%g'\nset xlabel 't, s'\nset ylabel 'asphericity'\nset bmargin 3.2\nunset object\nplot ";
-  return script + plots(3) + "\nunset multiplot\n";
+std::string two_panels(double height_px, int rows, int columns_of_key, const Plots& plots) {
+  std::string script = "set multiplot\nset lmargin 10\nset rmargin 2\nset yrange [0:*]\nset tmargin 0\nset bmargin 0\n";
+  script +=
+      rows > 0
+          ? fmt::format("set key at screen 0.98, screen 0.995 top right horizontal maxcols {} samplen 2.5 width -1\n",
+                        columns_of_key)
+          : "unset key\n";
+  script += fmt::format("bottom = {:.4g}\ntop = {:.4g}\nmiddle = (bottom + top) / 2\n", 66 / height_px,
+                        1 - (12 + 26 * rows) / height_px);
+  script +=
+      "set tmargin at screen top\nset bmargin at screen middle + 0.02\nset format x ''\nset ylabel 'd, µm'\nplot " +
+      plots(2);
+  script +=
+      "\nset tmargin at screen middle - 0.02\nset bmargin at screen bottom\nset format x '%g'\nset xlabel 't, s' "
+      "offset 0,0.4\n";
+  return script + "unset key\nset ylabel 'asphericity'\nplot " + plots(3) + "\nunset multiplot\n";
+}
+
+/// Characters, of which UTF-8 may need several bytes each.
+std::size_t length_of(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
 }
 
 std::string ordinary_words(const ReportPoint& point) {
@@ -62,33 +87,40 @@ std::vector<std::pair<const ReportPoint*, const Curve*>> first_curves(const Repo
   return curves;
 }
 
+/// Colour and dash, of which neighbours share neither.
 std::string look_of(std::size_t i) {
-  constexpr std::array<int, 3> dashes = {1, 2, 4};
-  return fmt::format("lw 1.3 lc rgb '{}' dt {}", curve_colours[i % curve_colours.size()],
-                     dashes[i / curve_colours.size() % dashes.size()]);
+  constexpr std::array<int, 4> dashes = {1, 2, 4, 5};
+  return fmt::format("lw 1.4 lc rgb '{}' dt {}", curve_colours[i % curve_colours.size()], dashes[i % dashes.size()]);
 }
 
-/// A panel a class, coloured by an axis.
+/// Of the palette cividis, which the colour-blind see as others do, what is dark enough on white.
+constexpr std::string_view dark_to_light =
+    "0 '#00224E', 1 '#123570', 2 '#3B496C', 3 '#575D6D', 4 '#707173', 5 '#8A8678', 6 '#A59C74', 7 '#C3B369'";
+
+/// Two panels a class, coloured by an axis.
 std::string grouped_script(const std::vector<std::pair<const ReportPoint*, const Curve*>>& curves,
                            const std::string& axis, int& panels) {
   std::string script = fmt::format(
-      "set palette cividis\nset cblabel {}\nset yrange [0:*]\nset ylabel 'd, µm'\nset lmargin 9\nset rmargin 14\n",
-      gnuplot_quoted(axis.empty() ? "point" : axis_title(axis)));
+      "set palette defined ({})\nset cblabel {}\nset yrange [0:*]\nset lmargin 10\nset rmargin 9\nset tmargin 1.6\nset "
+      "bmargin 2.8\n",
+      dark_to_light, gnuplot_quoted(axis.empty() ? "point" : axis_title(axis)));
   std::string plots;
   panels = 0;
   for (const ClassLook& look : class_looks) {
-    std::string plot;
+    std::array<std::string, 2> plot;  // of d and of asphericity
     for (std::size_t i = 0; i < curves.size(); ++i) {
       const ReportPoint& point = *curves[i].first;
       const bool belongs = point.result() != nullptr ? point.result()->phase == look.name : look.name == "undecided";
       if (!belongs) continue;
       const double value = axis.empty() ? point.row.ordinal : *ReportData::value(point, axis);
-      plot += fmt::format("{}'overlay.dat' index {} using 1:2:({:.7g}) with lines lw 0.9 lc palette notitle",
-                          plot.empty() ? "" : ", \\\n  ", i, value);
+      for (std::size_t k = 0; k < plot.size(); ++k)
+        plot[k] += fmt::format("{}'overlay.dat' index {} using 1:{}:({:.7g}) with lines lw 0.9 lc palette notitle",
+                               plot[k].empty() ? "" : ", \\\n  ", i, k + 2, value);
     }
-    if (plot.empty()) continue;
-    plots += fmt::format("set title '{}' offset 0,-0.6\nplot {}\n", look.name, plot);
-    ++panels;
+    if (plot[0].empty()) continue;
+    plots += fmt::format("set title '{}' offset 0,-0.6\nset ylabel 'd, µm'\nplot {}\n", look.name, plot[0]);
+    plots += fmt::format("set ylabel 'asphericity'\nplot {}\n", plot[1]);
+    panels += 2;
   }
   double low = 1e300, high = -1e300;
   for (const auto& [point, curve] : curves) {
@@ -96,7 +128,9 @@ std::string grouped_script(const std::vector<std::pair<const ReportPoint*, const
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  script += fmt::format("set cbrange [{:.7g}:{:.7g}]\nset xlabel 't, s'\n", low, high > low ? high : low + 1);
+  high = high > low ? high : low + 1;
+  script += fmt::format("set cbrange [{0:.7g}:{1:.7g}]\nset cbtics {0:.7g},{2:.7g}\nset xlabel 't, s' offset 0,0.5\n",
+                        low, high, (high - low) / 2);
   return script + fmt::format("set multiplot layout {},1\n", panels) + plots + "unset multiplot\n";
 }
 
@@ -117,28 +151,29 @@ std::optional<Figure> series_figure(const ReportData& data, const ReportPoint& p
   const double end = drawn.front()->time_s.back();
   figure.description = fmt::format(
       "Displacement d and asphericity over {:.4g} s; the window of the averages is shaded.{}", end, ends(point));
-  figure.width_px = 520;
-  figure.height_px = 340;
+  figure.width_px = 440;
+  figure.height_px = 360;
   figure.height_cm = 7;
   figure.script = fmt::format(
       "set object 1 rectangle from first {:.7g}, graph 0 to first {:.7g}, graph 1 behind fc rgb '#eeeeee' fs solid "
       "noborder\n",
       std::max(drawn.front()->time_s.front(), end - data.analysis.window_s), end);
-  figure.script += "set key top left samplen 1.5\n";
-  figure.script += two_panels([&](int column) {
-    std::string plots;
-    for (std::size_t i = 0; i < drawn.size(); ++i)
-      plots +=
-          fmt::format("{}'{}.dat' index {} using 1:{} with lines {} title '{}'", i == 0 ? "" : ", \\\n  ", figure.name,
-                      i, column, look_of(i), drawn.size() > 1 ? fmt::format("cell {}", drawn[i]->cell) : "");
-    return plots;
-  });
+  figure.script += time_tics(end);
+  figure.script += two_panels(figure.height_px, drawn.size() > 1 ? 1 + static_cast<int>(drawn.size() - 1) / 4 : 0, 4,
+                              [&](int column) {
+                                std::string plots;
+                                for (std::size_t i = 0; i < drawn.size(); ++i)
+                                  plots += fmt::format("{}'{}.dat' index {} using 1:{} with lines {} title '{}'",
+                                                       i == 0 ? "" : ", \\\n  ", figure.name, i, column, look_of(i),
+                                                       drawn.size() > 1 ? fmt::format("cell {}", drawn[i]->cell) : "");
+                                return plots;
+                              });
   return figure;
 }
 
 std::optional<Figure> overlay_figure(const ReportData& data, std::size_t most_points) {
   const auto curves = first_curves(data);
-  if (curves.empty()) return std::nullopt;
+  if (curves.size() < 2) return std::nullopt;
   Figure figure;
   figure.name = "overlay";
   figure.title = "All points over time";
@@ -149,25 +184,33 @@ std::optional<Figure> overlay_figure(const ReportData& data, std::size_t most_po
   if (curves.size() > most_single_curves) {
     int panels = 0;
     figure.script = grouped_script(curves, axes.empty() ? "" : axes.front(), panels);
-    figure.height_px = 90 + 230 * panels;
-    figure.height_cm = 1 + 4.5 * panels;
-    figure.description = fmt::format("Displacement d over time of {} points, a panel a class, coloured by {}.",
-                                     curves.size(), axes.empty() ? "point" : axis_title(axes.front()));
+    figure.height_px = 60 + 190 * panels;
+    figure.height_cm = 1 + 3.6 * panels;
+    figure.description =
+        fmt::format("Displacement d and asphericity over time of {} points, two panels a class, coloured by {}.",
+                    curves.size(), axes.empty() ? "point" : axis_title(axes.front()));
     return figure;
   }
   figure.description = fmt::format(
       "Displacement d (above) and asphericity (below) over time of {} points, each in a colour and a dash of its own.",
       curves.size());
-  figure.height_px = 560;
+  figure.height_px = 520;
   figure.height_cm = 9.5;
-  figure.script = "set key outside right top samplen 2\nset rmargin 24\n";
-  figure.script += two_panels([&](int column) {
-    std::string plots;
-    for (std::size_t i = 0; i < curves.size(); ++i)
-      plots += fmt::format("{}'overlay.dat' index {} using 1:{} with lines {} title {}", i == 0 ? "" : ", \\\n  ", i,
-                           column, look_of(i), column == 2 ? gnuplot_quoted(curves[i].first->label()) : "''");
-    return plots;
-  });
+  std::size_t longest = 1;
+  for (const auto& [point, curve] : curves) longest = std::max(longest, length_of(point->label()));
+  const int columns_of_key = std::clamp(static_cast<int>(44 / (longest + 7)), 1, 5);
+  const int rows = (static_cast<int>(curves.size()) + columns_of_key - 1) / columns_of_key;
+  figure.height_px += 26.0 * rows;
+  double end = 0;
+  for (const auto& [point, curve] : curves) end = std::max(end, curve->time_s.back());
+  figure.script =
+      time_tics(end) + two_panels(figure.height_px, rows, columns_of_key, [&](int column) {
+        std::string plots;
+        for (std::size_t i = 0; i < curves.size(); ++i)
+          plots += fmt::format("{}'overlay.dat' index {} using 1:{} with lines {} title {}", i == 0 ? "" : ", \\\n  ",
+                               i, column, look_of(i), column == 2 ? gnuplot_quoted(curves[i].first->label()) : "''");
+        return plots;
+      });
   return figure;
 }
 

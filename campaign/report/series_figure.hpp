@@ -17,7 +17,8 @@ inline constexpr std::size_t most_single_curves = 12;
 [[nodiscard]] std::optional<Figure> series_figure(const ReportData& data, const ReportPoint& point);
 
 /// All points together. Up to most_single_curves each has a colour and a dash; more are coloured by the first axis that
-/// is a number, in one panel a class. A curve has as many points as fit: most_points in all. Nothing without samples.
+/// is a number, in two panels a class. A curve has as many points as fit: most_points in all. Nothing unless two
+/// points have samples.
 [[nodiscard]] std::optional<Figure> overlay_figure(const ReportData& data, std::size_t most_points);
 
 }  // namespace rouleau::campaign

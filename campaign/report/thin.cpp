@@ -32,4 +32,20 @@ std::vector<std::size_t> thinned(std::span<const double> values, std::size_t mos
   return kept;
 }
 
+std::vector<std::size_t> spread_evenly(std::span<const double> positions, std::size_t most) {
+  std::vector<std::size_t> chosen;
+  if (positions.empty()) return chosen;
+  if (most <= 1) return {positions.size() - 1};
+  const std::size_t count = std::min(most, positions.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    const double share = count == 1 ? 1.0 : static_cast<double>(k) / static_cast<double>(count - 1);
+    const double wanted = positions.front() + share * (positions.back() - positions.front());
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < positions.size(); ++i)
+      if (std::abs(positions[i] - wanted) < std::abs(positions[nearest] - wanted)) nearest = i;
+    if (chosen.empty() || nearest > chosen.back()) chosen.push_back(nearest);
+  }
+  return chosen;
+}
+
 }  // namespace rouleau::campaign

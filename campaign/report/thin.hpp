@@ -13,4 +13,8 @@ namespace rouleau::campaign {
 /// enough. A value that is not finite counts as neither.
 [[nodiscard]] std::vector<std::size_t> thinned(std::span<const double> values, std::size_t most);
 
+/// Which of ascending `positions` to take so that at most `most` (at least 1) of them lie as evenly as they can: the
+/// last, the first, and those nearest to equal steps between.   returns indices, ascending, none twice
+[[nodiscard]] std::vector<std::size_t> spread_evenly(std::span<const double> positions, std::size_t most);
+
 }  // namespace rouleau::campaign

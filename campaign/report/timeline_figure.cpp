@@ -20,7 +20,7 @@ struct EndLook {
 };
 
 constexpr std::array<EndLook, 6> looks = {{{End::finished, "finished", green, 7},
-                                           {End::stopped, "stopped, to be continued", sky, 11},
+                                           {End::stopped, "stopped", sky, 11},
                                            {End::crashed, "crashed", vermillion, 2},
                                            {End::failed, "failed or refused", black, 5},
                                            {End::running, "running", blue, 0},
@@ -89,15 +89,18 @@ std::optional<Figure> timeline_figure(const ReportData& data) {
       gnuplot_comment(fmt::format("begin and end of a bar in {} since {}, row, kind (0 finished, 1 stopped, 2 "
                                   "crashed, 3 failed, 4 running, 5 superseded, 6 waiting), attempt",
                                   unit, iso_utc(first)));
+  const bool is_short = std::all_of(data.points.begin(), data.points.end(),
+                                    [](const ReportPoint& point) { return point.label().size() <= 14; });
   std::string tics;
   std::array<bool, 7> occurs{};
   std::size_t row = 0;
-  const std::size_t every = 1 + rows / 61;
+  const std::size_t every = rows > 60 ? 1 + rows / 40 : 1;
   for (const ReportPoint& point : data.points) {
     if (point.attempts.empty()) continue;
     if (row++ % every == 0)
       tics += fmt::format("{}{} {}", tics.empty() ? "" : ", ",
-                          gnuplot_quoted(fmt::format("#{} {}", point.row.ordinal, point.label().substr(0, 40))), row);
+                          gnuplot_quoted(fmt::format("#{}{}", point.row.ordinal, is_short ? " " + point.label() : "")),
+                          row);
     for (const AttemptRow& attempt : point.attempts) {
       const Bar bar = bar_of(point, attempt, data.written_unix_s);
       const auto line = [&](double begin, double end, std::size_t kind) {
@@ -116,10 +119,10 @@ std::optional<Figure> timeline_figure(const ReportData& data) {
         "boxxyerror {} title '{}'",
         plots.empty() ? "" : ", \\\n  ", kind, look, title);
   };
-  if (occurs[6]) add(6, "fs pattern 4 border lc rgb '#767676'", "waiting in a queue");
+  if (occurs[6]) add(6, "lc rgb '#767676' fs pattern 4 border", "waiting in a queue");
   for (const EndLook& look : looks) {
     if (!occurs[static_cast<std::size_t>(look.end)]) continue;
-    add(static_cast<std::size_t>(look.end), fmt::format("fs solid 0.45 border lc rgb '{}'", look.colour),
+    add(static_cast<std::size_t>(look.end), fmt::format("lc rgb '{}' fs solid 0.45 border", look.colour),
         look.sign == 0 ? look.word : "");
     if (look.sign != 0)
       plots += fmt::format(
@@ -127,7 +130,7 @@ std::optional<Figure> timeline_figure(const ReportData& data) {
           "'{}' title '{}'",
           static_cast<int>(look.end), look.sign, rows > 60 ? 0.5 : 0.8, look.colour, look.word);
   }
-  figure.height_px = 110 + static_cast<double>(rows) * (rows > 60 ? 9 : 20);
+  figure.height_px = 135 + static_cast<double>(rows) * (rows > 60 ? 6 : 20);
   figure.height_cm = std::min(23.0, 2.5 + static_cast<double>(rows) * (rows > 60 ? 0.2 : 0.4));
   figure.script = fmt::format(
       "set xlabel {}\nset xrange [0:*]\nset offsets graph 0, graph 0.02, 0, 0\nset yrange [{}.5:0.5]\nset ytics ({})\n"

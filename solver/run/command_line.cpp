@@ -20,6 +20,7 @@ po::options_description visible_options() {
       ("ranks", po::value<std::string>(), "cut of the lattice, such as 1x2x2; default: the cheapest")       //
       ("quiet", "no conversion table, no progress lines")                                                   //
       ("format", po::value<std::string>(), "text (default) or json, for check and inspect")                 //
+      ("slice", po::value<std::string>(), "y or z, for shape: the flags of that slice through the cell")    //
       ("help", "this text")                                                                                 //
       ("help-run-file", "every parameter of a run file, as a run file")                                     //
       ("version", "version, git hash, compiler, libraries");
@@ -62,9 +63,11 @@ Verb verb_of(std::vector<std::string>& words) {
   if (words[0] == "check") verb = Verb::check;
   if (words[0] == "inspect") verb = Verb::inspect;
   if (words[0] == "verify") verb = Verb::verify;
+  if (words[0] == "shape") verb = Verb::shape;
   if (verb != Verb::run) words.erase(words.begin());
   if (words.size() != 1)
-    fail(Exit::usage, "one file is needed, {} are given: rouleau-solver [check|inspect|verify] FILE (see --help).",
+    fail(Exit::usage,
+         "one file is needed, {} are given: rouleau-solver [check|inspect|verify|shape] FILE (see --help).",
          words.size());
   return verb;
 }
@@ -95,6 +98,12 @@ CommandLine parse_command_line(int argc, const char* const* argv) try {
     line.json = format == "json";
     if (line.verb == Verb::run) fail(Exit::usage, "--format goes with check and inspect.");
   }
+  if (given.count("slice")) {
+    const auto axis = given["slice"].as<std::string>();
+    if (axis != "y" && axis != "z") fail(Exit::usage, "--slice {}: y or z is possible.", axis);
+    if (line.verb != Verb::shape) fail(Exit::usage, "--slice goes with shape.");
+    line.slice_normal = axis == "y" ? 1 : 2;
+  }
   read_run_options(given, line.run);
   return line;
 } catch (const po::error& error) {
@@ -109,6 +118,7 @@ std::string help_text() {
           "  rouleau-solver check run.ini              what would run: conversion table, cost, warnings\n"
           "  rouleau-solver inspect FILE.h5            what a checkpoint holds\n"
           "  rouleau-solver verify FILE.h5             whether it is whole\n"
+          "  rouleau-solver shape FILE.h5              the cells of a checkpoint or snapshot, as JSON\n"
           "  rouleau-solver --help-run-file > run.ini  a run file to start from\n\n"
           "A run writes into the folder of its run file. Ctrl-C, SIGTERM, SIGUSR2 or a file named `stop` there end it "
           "behind a\n"

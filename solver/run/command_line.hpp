@@ -3,18 +3,20 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "run/attempt_run.hpp"
 
 namespace rouleau {
 
-enum class Verb { run, check, inspect, verify, help, help_run_file, version };
+enum class Verb { run, check, inspect, verify, shape, help, help_run_file, version };
 
 struct CommandLine {
   Verb verb = Verb::run;
-  std::filesystem::path file;  ///< of check, inspect and verify
+  std::filesystem::path file;  ///< of check, inspect, verify and shape
   bool json = false;
+  std::optional<int> slice_normal;  ///< of shape: 1 for y, 2 for z
   RunOptions run;
 };
 

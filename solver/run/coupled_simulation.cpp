@@ -70,10 +70,16 @@ template <class Real>
 void CoupledSimulation<Real>::compute_membrane_forces() {
   find_stencils(cells_, stencils_);
   timers_.lap(Part::stencils);
-  forces_.compute(cells_, setup_.lattice.moduli, mesh_mobility_.needs(stencils_));
+  sum_membrane_forces(mesh_mobility_.needs(stencils_));
+  timers_.lap(Part::forces);
+}
+
+/// Sets cells_.F of the vertices in the mask; of all, if it is empty.
+template <class Real>
+void CoupledSimulation<Real>::sum_membrane_forces(std::span<const std::uint8_t> needed) {
+  forces_.compute(cells_, setup_.lattice.moduli, needed);
   fold_resistance_.add(cells_);
   if (stretch_) stretch_->add(cells_.F, setup_.lattice.stretch.in_step_after(counters_.steps_done));
-  timers_.lap(Part::forces);
 }
 
 template <class Real>

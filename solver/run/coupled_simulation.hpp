@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "coupling/advect.hpp"
 #include "coupling/interpolate.hpp"
@@ -46,6 +47,8 @@ class CoupledSimulation final : public Simulation {
   [[nodiscard]] std::int64_t flips() const override { return counters_.flips; }
   void forget_flips() override { counters_.flips = 0; }
   void check_health() override;
+  void find_membrane_forces() override;
+  LatticePicture take_picture(int stride) override;
 
  private:
   // The verbs of the step, in its order.
@@ -59,6 +62,7 @@ class CoupledSimulation final : public Simulation {
   void track_interior();
   void correct_interior();
 
+  void sum_membrane_forces(std::span<const std::uint8_t> needed);
   void start_fluid();
   void start_flags();
   void exchange_populations();

@@ -28,6 +28,7 @@ class Examination {
     check_relaxation_times();
     check_mach();
     check_collision();
+    check_snapshots();
     if (!p_.cells.empty()) {
       check_tracking();
       check_resolution();
@@ -115,6 +116,18 @@ class Examination {
            "with tau = {:.3g} inside the cell is inaccurate at the membrane. Use collision = trt, or lower "
            "numerics.tau_plasma to {:.3g}",
            lattice_.tau_in, 0.5 + 7.5 / p_.fluid.lambda);
+  }
+
+  void check_snapshots() {
+    const OutputParameters& o = p_.output;
+    for (const auto& [name, interval_s] : {std::pair{"output.snapshot_interval_s", o.snapshot_interval_s},
+                                           std::pair{"output.cell_snapshot_interval_s", o.cell_snapshot_interval_s}})
+      if (interval_s > 0 && interval_s * 1e6 < units_.dt_us() * (1 - slack))
+        refuse(name, "is shorter than a time step, {:.4g} s. Raise it, or take 0 for none", units_.dt_us() * 1e-6);
+    const int shortest = std::min({lattice_.lattice.size[0], lattice_.lattice.size[1], lattice_.lattice.size[2]});
+    if (o.snapshot_interval_s > 0 && o.snapshot_stride >= shortest)
+      refuse("output.snapshot_stride", "leaves one node of {} along an axis; at most {} leaves two", shortest,
+             shortest - 1);
   }
 
   void check_tracking() {

@@ -9,6 +9,7 @@
 #include "run/check.hpp"
 #include "run/conversion_table.hpp"
 #include "run/setup.hpp"
+#include "run/snapshots.hpp"
 #include "storage/inspect.hpp"
 
 namespace rouleau {
@@ -23,10 +24,16 @@ std::string check_text(const std::filesystem::path& run_file, bool json, FileSys
     counts.triangles = setup.cells.triangles();
     counts.vertices = setup.cells.vertices();
     counts.checkpoint_bytes = checkpoint_bytes(setup);
+    counts.snapshot_bytes = snapshot_bytes(setup);
     return check_json(setup.run, setup.lattice, counts, setup.warnings).dump(2) + "\n";
   }
   std::string text = conversion_table(setup.run, setup.lattice, setup.units, setup.cells.meshes);
   text += fmt::format("a checkpoint takes {:.1f} MB\n", static_cast<double>(checkpoint_bytes(setup)) * 1e-6);
+  const SnapshotPlan plan(setup);
+  if (const std::int64_t cells = plan.cell_count(setup.lattice.steps), fields = plan.field_count(setup.lattice.steps);
+      cells + fields > 0)
+    text += fmt::format("{} snapshots of the fields and {} of the cells take about {:.1f} MB\n", fields, cells,
+                        static_cast<double>(snapshot_bytes(setup)) * 1e-6);
   for (const auto& warning : setup.warnings) text += "warning: " + warning + "\n";
   return text;
 }

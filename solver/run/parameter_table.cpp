@@ -327,6 +327,13 @@ Rows free_rows() {
       real("output", "checkpoint_interval_min", "10", 1e-4, 1e5, output<&O::checkpoint_interval_min>,
            "wall-clock time between checkpoints"),
       integer("output", "checkpoints_kept", "3", 2, 1000, output<&O::checkpoints_kept>, "the newest n"),
+      real("output", "snapshot_interval_s", "0", 0, 1e6, output<&O::snapshot_interval_s>,
+           "physical time between snapshots of fields and cells, for ParaView; 0: none"),
+      real("output", "cell_snapshot_interval_s", "0", 0, 1e6, output<&O::cell_snapshot_interval_s>,
+           "physical time between snapshots of the cells alone, which are small; 0: with the fields only")
+          .with_cells(),
+      integer("output", "snapshot_stride", "1", 1, 1000, output<&O::snapshot_stride>,
+              "the fields of a snapshot at every n-th node along each axis"),
       choice("bounds", "unsafe_combination", "refuse", {"refuse", "run"}, bounds<&B::unsafe_combination>,
              "what to do with a kernel and a stiffness that trial runs lost at once"),
       real("bounds", "area_ratio_min", "0.7", 0.01, 1, bounds<&B::area_ratio_min>,

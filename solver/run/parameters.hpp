@@ -108,6 +108,9 @@ struct OutputParameters {
   double progress_interval_s = 0;      ///< wall clock
   double checkpoint_interval_min = 0;  ///< wall clock
   int checkpoints_kept = 0;
+  double snapshot_interval_s = 0;       ///< physical time; of fields and cells; 0: none
+  double cell_snapshot_interval_s = 0;  ///< physical time; of cells alone; 0: none
+  int snapshot_stride = 1;              ///< every n-th node of the fields
 };
 
 struct BoundsParameters {

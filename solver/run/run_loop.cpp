@@ -25,6 +25,7 @@ double mlups(const Setup& setup, double steps_per_s) {
 RunLoop::RunLoop(const LoopParts& parts, std::optional<std::int64_t> resumed_at)
     : parts_(parts),
       stop_(parts.comm, parts.deadline_s, parts.run_directory / "stop"),
+      snapshots_(parts.setup, parts.comm, parts.files, parts.run_directory, parts.attempt),
       start_step_(resumed_at.value_or(0)),
       end_step_(parts.setup.lattice.steps),
       checkpoint_step_(resumed_at),
@@ -50,6 +51,7 @@ Outcome RunLoop::run() try {
   for (;;) {
     const std::int64_t step = parts_.simulation.steps_done();
     if (step % interval == 0 && step > last_sampled_) sample();
+    snapshots_.take(parts_.simulation);
     if (step >= end_step_) {
       checkpoint();
       report_progress();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The loop around the step: sample, look around, checkpoint, stop. Everything here happens between two steps.
+// The loop around the step: sample, take snapshots, look around, checkpoint, stop. Everything here happens between two
+// steps.
 #pragma once
 
 #include <optional>
@@ -7,6 +8,7 @@
 
 #include "run/sampling.hpp"
 #include "run/simulation.hpp"
+#include "run/snapshots.hpp"
 #include "run/stop.hpp"
 #include "storage/attempt.hpp"
 #include "storage/checkpoint.hpp"
@@ -57,6 +59,7 @@ class RunLoop {
 
   LoopParts parts_;
   StopWatch stop_;
+  Snapshots snapshots_;
   std::int64_t start_step_ = 0, end_step_ = 0;
   std::int64_t last_sampled_ = -1;
   std::optional<std::int64_t> checkpoint_step_;

@@ -6,6 +6,7 @@
 
 #include "membrane/cells.hpp"
 #include "parallel/decomposition.hpp"
+#include "run/lattice_picture.hpp"
 #include "run/setup.hpp"
 #include "run/timers.hpp"
 #include "storage/persistent.hpp"
@@ -45,6 +46,13 @@ class Simulation {
   /// Throws Error(physics) if values are not finite, a triangle is folded or collapsed, area or inside-node count is
   /// out of bounds, or the flow is too fast. Collective.
   virtual void check_health() = 0;
+
+  /// Makes cells().F of all vertices those of the present positions, as the next step will find them. They follow from
+  /// the persistent state alone, and no later step sees that they were asked for. Collective.
+  virtual void find_membrane_forces() = 0;
+  /// The fields at every `stride`-th node, with the forces of find_membrane_forces. Collective; rank 0's, empty
+  /// elsewhere.
+  virtual LatticePicture take_picture(int stride) = 0;
 };
 
 /// Makes the simulation in the precision that the run file asks for. `setup` and `comm` must outlive it. Collective.

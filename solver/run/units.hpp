@@ -46,6 +46,11 @@ class Units {
   [[nodiscard]] double tension_uN_per_m(double tension) const { return tension * tension_N_per_m_ * 1e6; }
   [[nodiscard]] double force_pN(double force) const { return force * tension_N_per_m_ * dx_m_ * 1e12; }
   [[nodiscard]] double energy_joule(double energy) const { return energy * energy_J_; }
+  [[nodiscard]] double pressure_Pa(double pressure) const { return pressure * tension_N_per_m_ / dx_m_; }
+  [[nodiscard]] double force_density_pN_per_um3(double force_density) const {
+    return force_density * force_density_ * 1e-6;
+  }
+  [[nodiscard]] double curvature_per_um(double curvature) const { return curvature / dx_um_; }
   [[nodiscard]] double pressure_gradient_Pa_per_m(double force_density) const { return force_density * force_density_; }
   [[nodiscard]] double time_s(std::int64_t step) const { return static_cast<double>(step) * dt_us_ * 1e-6; }
 

@@ -77,6 +77,7 @@ Attempt Attempt::join(FileSystem& files, const fs::path& run_directory, int numb
 void Attempt::disarm_older() const {
   remove_unfinished(*files_, run_, number_);
   remove_unfinished(*files_, run_ / "checkpoints", number_);
+  remove_unfinished(*files_, run_ / "snapshots", number_);
 }
 
 fs::path Attempt::directory() const { return run_ / "attempts" / std::to_string(number_); }

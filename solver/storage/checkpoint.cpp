@@ -97,7 +97,8 @@ SavedCheckpoint save_checkpoint(const CheckpointPlace& place, const Communicator
       place.fence();
       make_directory(files, place.directory);
       remove_unfinished(files, place.directory, metadata.attempt);
-      require_free_space(files, place.directory, estimate_bytes(state) + texts.metadata.size() + texts.manifest.size());
+      require_free_space(files, place.directory, "a checkpoint",
+                         estimate_bytes(state) + texts.metadata.size() + texts.manifest.size());
       begun = true;
       places = lay_out_checkpoint(files, unfinished, state, texts);
     });

@@ -217,12 +217,12 @@ void write_aside(FileSystem& files, const fs::path& path, std::string_view bytes
   rename_synced(files, aside, path);
 }
 
-void require_free_space(FileSystem& files, const fs::path& directory, std::uint64_t needed) {
+void require_free_space(FileSystem& files, const fs::path& directory, const char* what, std::uint64_t needed) {
   std::uint64_t free = 0;
   if (files.free_space(directory.string(), free) != 0) fail_call(files, directory, "statvfs", errno);
   if (free >= needed) return;
-  fail(Exit::io, "{}: a checkpoint needs {} bytes, {} are free. Free space, then start the run again.",
-       directory.string(), needed, free);
+  fail(Exit::io, "{}: {} needs {} bytes, {} are free. Free space, then start the run again.", directory.string(), what,
+       needed, free);
 }
 
 }  // namespace rouleau

@@ -66,7 +66,8 @@ void remove_file(FileSystem& files, const std::filesystem::path& path);  ///< no
 /// After a crash at any moment the old or the new content is there.
 void write_aside(FileSystem& files, const std::filesystem::path& path, std::string_view bytes);
 
-/// Throws Error(io) if less than `needed` bytes are free where `directory` lies.
-void require_free_space(FileSystem& files, const std::filesystem::path& directory, std::uint64_t needed);
+/// Throws Error(io) "a checkpoint needs ..." (`what`) if less than `needed` bytes are free where `directory` lies.
+void require_free_space(FileSystem& files, const std::filesystem::path& directory, const char* what,
+                        std::uint64_t needed);
 
 }  // namespace rouleau

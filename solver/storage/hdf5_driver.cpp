@@ -122,14 +122,14 @@ H5FD_class_t driver() {
 
 }  // namespace
 
-Handle access_through(Ground& ground) {
+Handle access_through(Ground& ground, H5F_libver_t oldest) {
   const H5FD_class_t functions = driver();
   // The property list keeps the driver alive; our own hold on it ends here.
   const Handle registered(H5FDregister(&functions), H5FDunregister);
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   Ground* info = &ground;
   require(H5Pset_driver(access.id(), registered.id(), &info) >= 0, "the HDF5 library refuses our file driver");
-  H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_V110);
+  H5Pset_libver_bounds(access.id(), oldest, H5F_LIBVER_V110);
   return access;
 }
 

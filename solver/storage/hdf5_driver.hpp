@@ -23,7 +23,8 @@ struct Ground {
   }
 };
 
-/// File access properties that send every call through `ground.files`.
-[[nodiscard]] Handle access_through(Ground& ground);
+/// File access properties that send every call through `ground.files`. New objects have the oldest format from `oldest`
+/// on that can hold them.
+[[nodiscard]] Handle access_through(Ground& ground, H5F_libver_t oldest = H5F_LIBVER_V18);
 
 }  // namespace rouleau::hdf5

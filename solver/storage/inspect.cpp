@@ -202,4 +202,14 @@ SavedCell read_cell(FileSystem& files, const fs::path& path, int cell) {
   return saved;
 }
 
+std::vector<std::uint8_t> read_flags(FileSystem& files, const fs::path& path, const Block& block) {
+  const CheckpointFile file = open_sealed(files, path);
+  const ManifestItem* item = file.find("interior/flags");
+  if (item == nullptr || !item->on_lattice || item->type != ElementType::u8)
+    fail(Exit::bad_input, "{}: holds no inside flags", path.string());
+  std::vector<std::uint8_t> flags(node_count(block));
+  file.read_block(*item, 0, block, flags.data());
+  return flags;
+}
+
 }  // namespace rouleau

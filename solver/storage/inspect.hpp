@@ -73,4 +73,9 @@ struct SavedCell {
 /// throws  Error(bad_input) if the file is damaged, lacks one of them or has no cell of that number
 [[nodiscard]] SavedCell read_cell(FileSystem& files, const std::filesystem::path& file, int cell);
 
+/// The inside flags of a block of the lattice, [z][y][x].
+/// throws  Error(bad_input) if the file is damaged or the block leaves its lattice
+[[nodiscard]] std::vector<std::uint8_t> read_flags(FileSystem& files, const std::filesystem::path& file,
+                                                   const Block& block);
+
 }  // namespace rouleau

@@ -78,6 +78,25 @@ TEST(DiskFull, StopsTheSolverWith74AndDamagesNothing) { expect_74_and_no_damage(
 TEST(DiskFull, StopsAContinuedRunWith74AndDamagesNothing) { expect_74_and_no_damage(1, true, {0.01, 0.5}); }
 TEST(DiskFull, StopsTheSolverOnTwoRanksToo) { expect_74_and_no_damage(2, true, {0.5}); }
 
+TEST(DiskFull, SnapshotsThatFillItStopTheSolverWith74AndDamageNothing) {
+  const auto with_a_snapshot_a_step = [](BusyRun& run) { run.set("output.snapshot_interval_s", "1.25e-6"); };
+  BusyRun undisturbed;
+  with_a_snapshot_a_step(undisturbed);
+  undisturbed.finish();
+  BusyRun run;
+  const SmallDisk disk(run.directory());
+  if (!disk.is_mounted()) GTEST_SKIP() << no_mount;
+  with_a_snapshot_a_step(run);
+  disk.leave(8 << 20);  // three checkpoints and a dozen of 49 snapshots
+  const Finished full = run.run();
+  EXPECT_EQ(full.code, 74) << full.err;
+  EXPECT_THAT(full.err, ::testing::ContainsRegex("snapshots.*([0-9]+ bytes are needed|needs [0-9]+ bytes)"));
+  ++tally().faults_injected;
+  disk.make_room();
+  run.finish();
+  EXPECT_EQ(run.fingerprint(), undisturbed.fingerprint());
+}
+
 class FullCampaign : public ::testing::Test {
  protected:
   void SetUp() override {

@@ -184,6 +184,18 @@ TEST(Units, ReturnWhatTheyConverted) {
   EXPECT_EQ(u.coordinate(0), -0.5);  // the lower face
 }
 
+// Identities of units: a pressure of 1 that falls to 0 over a node spacing is a force density of 1, which acts on a
+// node with a force of 1, as does a tension of 1 along an edge of 1.
+TEST(Units, OfPicturesBelongToEachOther) {
+  const Units u(Read(RunText{}).run.parameters);
+  const double rounding = 1e-14, dx_m = u.dx_um() * 1e-6;
+  expect_digits(u.pressure_Pa(1) / dx_m, u.pressure_gradient_Pa_per_m(1), rounding);
+  expect_digits(u.force_density_pN_per_um3(1) * std::pow(u.dx_um(), 3), u.force_pN(1), rounding);
+  expect_digits(u.tension_uN_per_m(1) * u.dx_um(), u.force_pN(1), rounding);
+  expect_digits(u.force_pN(u.force(20)), 20, rounding);
+  expect_digits(u.curvature_per_um(1 / u.length(4)), 0.25, rounding);
+}
+
 TEST(Units, CountTheStepThatReachesTheEnd) {
   const Units u(Read(RunText{.spacing = "node_spacing_um = 1/3\ntime_step_us = 0.5"}).run.parameters);
   EXPECT_EQ(u.steps(1.0), 2000000);

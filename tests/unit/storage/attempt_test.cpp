@@ -56,7 +56,9 @@ TEST_F(Attempts, NumbersCountUpAndTokensDiffer) {
 TEST_F(Attempts, NewerOneLeavesOlderOnesNothingToRename) {
   Attempt::claim(files, run);
   std::filesystem::create_directory(run / "checkpoints");
-  const std::vector<std::string> of_older{"checkpoints/000000000010.h5.a1.tmp", "samples.csv.a1.tmp"};
+  std::filesystem::create_directory(run / "snapshots");
+  const std::vector<std::string> of_older{"checkpoints/000000000010.h5.a1.tmp", "samples.csv.a1.tmp",
+                                          "snapshots/000000000010.h5.a1.tmp", "snapshots/cells.xdmf.a1.tmp"};
   const std::vector<std::string> of_others{"samples.csv.a3.tmp", "notes.tmp", "notes.a1"};
   for (const std::string& name : of_older) set_content(run / name, "half");
   for (const std::string& name : of_others) set_content(run / name, "x");

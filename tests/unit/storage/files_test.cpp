@@ -92,9 +92,9 @@ TEST_F(Files, FilesOfProcAreReadToTheirEnd) { EXPECT_EQ(read_file(files, "/proc/
 
 TEST_F(Files, RoomThatIsNotThereIsNamed) {
   files.claimed_space = 1000;
-  EXPECT_NO_THROW(require_free_space(files, directory.path(), 1000));
+  EXPECT_NO_THROW(require_free_space(files, directory.path(), "a checkpoint", 1000));
   try {
-    require_free_space(files, directory.path(), 1001);
+    require_free_space(files, directory.path(), "a checkpoint", 1001);
     FAIL() << "was accepted";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("needs 1001 bytes, 1000 are free"));
