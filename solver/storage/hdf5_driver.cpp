@@ -123,12 +123,15 @@ H5FD_class_t driver() {
 }  // namespace
 
 Handle access_through(Ground& ground, H5F_libver_t oldest) {
-  const H5FD_class_t functions = driver();
-  // The property list keeps the driver alive; our own hold on it ends here.
-  const Handle registered(H5FDregister(&functions), H5FDunregister);
+  // Registered for as long as the process lives: when a file closes, HDF5 1.10 lets go of its driver first and then
+  // calls the driver's close(), which crashes now and then if nobody else holds the driver.
+  static const hid_t registered = [] {
+    const H5FD_class_t functions = driver();
+    return H5FDregister(&functions);
+  }();
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   Ground* info = &ground;
-  require(H5Pset_driver(access.id(), registered.id(), &info) >= 0, "the HDF5 library refuses our file driver");
+  require(H5Pset_driver(access.id(), registered, &info) >= 0, "the HDF5 library refuses our file driver");
   H5Pset_libver_bounds(access.id(), oldest, H5F_LIBVER_V110);
   return access;
 }

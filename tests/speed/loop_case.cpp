@@ -42,6 +42,8 @@ class TimedSteps final : public Simulation {
   [[nodiscard]] std::int64_t flips() const override { return inner_.flips(); }
   void forget_flips() override { inner_.forget_flips(); }
   void check_health() override { inner_.check_health(); }
+  void find_membrane_forces() override { inner_.find_membrane_forces(); }
+  LatticePicture take_picture(int stride) override { return inner_.take_picture(stride); }
 
  private:
   Simulation& inner_;
