@@ -12,11 +12,15 @@
 
 namespace {
 
-bool may_colour(bool out_is_terminal) {
-  const char* no_colour = std::getenv("NO_COLOR");
+bool may_redraw(bool out_is_terminal) {
   const char* terminal = std::getenv("TERM");
   const bool is_dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
-  return out_is_terminal && (no_colour == nullptr || *no_colour == '\0') && !is_dumb;
+  return out_is_terminal && !is_dumb;
+}
+
+bool wants_colour() {
+  const char* no_colour = std::getenv("NO_COLOR");
+  return no_colour == nullptr || *no_colour == '\0';
 }
 
 int terminal_width() {
@@ -30,7 +34,9 @@ int main(int count, char** words) {
   using namespace rouleau::campaign;
   const bool out_is_terminal = ::isatty(STDOUT_FILENO) == 1;
   const bool err_is_terminal = ::isatty(STDERR_FILENO) == 1;
-  Streams io{std::cout, std::cerr, out_is_terminal, err_is_terminal, may_colour(out_is_terminal), terminal_width()};
+  const bool redraws = may_redraw(out_is_terminal);
+  Streams io{std::cout,        std::cerr, out_is_terminal, err_is_terminal, redraws && wants_colour(),
+             terminal_width(), redraws};
   const int code = run_command_line(all_verbs, {words + 1, words + count}, io);
   std::cout.flush();
   if (!std::cout) {

@@ -8,7 +8,9 @@
 #include "parallel/version.hpp"
 #include "run/attempt_run.hpp"
 #include "run/command_line.hpp"
+#include "run/completion.hpp"
 #include "run/look.hpp"
+#include "run/manual.hpp"
 #include "run/parameter_table.hpp"
 #include "run/shape.hpp"
 #include "run/stop.hpp"
@@ -45,6 +47,12 @@ int answer(const CommandLine& line) {
       return print(help_text());
     case Verb::help_run_file:
       return print(example_run_file());
+    case Verb::manual:
+      return print(manual_page());
+    case Verb::manual_of_run_file:
+      return print(manual_page_of_run_file());
+    case Verb::complete:
+      return print(completions(line.words));
     case Verb::version:
       return print(version_text(hdf5_version(), mpi_version()));
     case Verb::check:

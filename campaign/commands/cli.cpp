@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parsing command lines, printing help, turning errors into one line and an exit code.
+// Parsing command lines, turning errors into one line and an exit code.
 #include "commands/cli.hpp"
 
 #include <algorithm>
 #include <boost/program_options.hpp>
 #include <filesystem>
+#include <functional>
 #include <ostream>
 
+#include "commands/completion.hpp"
+#include "commands/help.hpp"
+#include "commands/manual.hpp"
+#include "commands/option_list.hpp"
 #include "commands/version.hpp"
 #include "study/nearest.hpp"
 
@@ -18,55 +23,8 @@ namespace po = boost::program_options;
 
 const char* words_option = "words";
 
-constexpr const char* exit_codes =
-    "Exit codes:\n"
-    "  0 ok   1 failed   2 wrong usage or study file   3 nothing found   4 some points failed\n"
-    "  5 locked by another live process   6 engine does not answer   7 damage found   130 interrupted\n";
-
 [[noreturn]] void usage_error(const std::string& message, const std::string& help_of) {
   fail(Exit::usage, "{} `rouleau {}--help` explains.", message, help_of);
-}
-
-po::options_description common_options(const Verb& verb) {
-  po::options_description options("Options of every verb");
-  auto add = options.add_options();
-  if (verb.words != Words::free) {
-    add("dir,C", po::value<std::string>()->value_name("DIR"), "the campaign's directory (default: the current one)");
-  }
-  if (verb.has_format) {
-    add("format", po::value<std::string>()->value_name("F")->default_value("table"), "table, csv or json");
-    add("no-header", po::bool_switch(), "no line of column names");
-  }
-  add("quiet,q", po::bool_switch(), "no messages but errors");
-  add("help,h", po::bool_switch(), "this text");
-  return options;
-}
-
-void print_overview(std::span<const Verb* const> verbs, std::ostream& out) {
-  out << "rouleau: campaigns of red-blood-cell simulations, from a study file to a phase table\n\n"
-         "Examples:\n"
-         "  rouleau init study.ini my-campaign     make a campaign from a study file\n"
-         "  rouleau run my-campaign                run it; again after any interruption or crash\n"
-         "  rouleau status my-campaign             how far is it?\n"
-         "  rouleau query -C my-campaign           the phase table so far\n\n"
-         "Verbs (rouleau VERB --help tells more):\n";
-  for (const Verb* verb : verbs) out << fmt::format("  {:<9} {}\n", verb->name, verb->summary);
-  out << "\n  --help     this text\n  --version  versions of rouleau and of what it is built with\n\n" << exit_codes;
-}
-
-void print_help(const Verb& verb, std::ostream& out) {
-  out << "rouleau " << verb.name << ": " << verb.summary << "\n\nExamples:\n" << verb.examples;
-  out << "\nUsage: rouleau " << verb.name << ' ' << verb.synopsis << "\n\n";
-  if (*verb.notes != '\0') out << verb.notes << "\n";
-  po::options_description own("Options");
-  if (verb.describe != nullptr) {
-    verb.describe(own);
-    out << own << "\n";
-  }
-  out << common_options(verb);
-  if (verb.words == Words::points) {
-    out << "\nA POINT is a key, the unique beginning of one, #ordinal, or name=value such as lambda=5.\n";
-  }
 }
 
 std::vector<std::string> option_names(const po::options_description& options) {
@@ -84,6 +42,20 @@ Format format_of(const std::string& word) {
   fail(Exit::usage, "--format {} is not known; there are table, csv and json.{}", word, did_you_mean(word, formats));
 }
 
+/// Puts options whose value is optional behind all words: only what is joined by `=` is such an option's value, so that
+/// `--watch my-campaign` names a campaign.
+std::vector<std::string> with_optional_values_last(const po::options_description& options,
+                                                   std::vector<std::string> arguments) {
+  const auto has_optional_value = [&](const std::string& word) {
+    const po::option_description* option =
+        word.starts_with("--") ? options.find_nothrow(word.substr(2), false) : nullptr;
+    return option != nullptr && option->semantic()->min_tokens() == 0 && option->semantic()->max_tokens() == 1;
+  };
+  std::stable_partition(arguments.begin(), std::find(arguments.begin(), arguments.end(), "--"),
+                        std::not_fn(has_optional_value));
+  return arguments;
+}
+
 po::variables_map parse(const Verb& verb, const po::options_description& options,
                         const std::vector<std::string>& arguments) {
   po::positional_options_description positional;
@@ -93,7 +65,12 @@ po::variables_map parse(const Verb& verb, const po::options_description& options
   try {
     // Abbreviated options would change their meaning when a new one is added.
     const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
-    po::store(po::command_line_parser(arguments).options(options).positional(positional).style(style).run(), values);
+    po::store(po::command_line_parser(with_optional_values_last(options, arguments))
+                  .options(options)
+                  .positional(positional)
+                  .style(style)
+                  .run(),
+              values);
     po::notify(values);
   } catch (const po::unknown_option& error) {
     std::string name = error.get_option_name();
@@ -127,9 +104,7 @@ void take_directory(const Verb& verb, CommandLine& line) {
 }
 
 int run_verb(const Verb& verb, const std::vector<std::string>& arguments, Streams& io) {
-  po::options_description options;
-  if (verb.describe != nullptr) verb.describe(options);
-  options.add(common_options(verb));
+  po::options_description options = parsed_options(verb);
   options.add_options()(words_option, po::value<std::vector<std::string>>());
 
   const auto is_help = [](const std::string& word) { return word == "--help" || word == "-h"; };
@@ -152,6 +127,16 @@ int dispatch(std::span<const Verb* const> verbs, const std::vector<std::string>&
   const std::string first = arguments.empty() ? "--help" : arguments.front();
   if (first == "--version") {
     io.out << version_text();
+    return static_cast<int>(Exit::ok);
+  }
+  if (first == "--man") {
+    if (arguments.size() > 2) usage_error("rouleau --man: one page is printed at a time.", "");
+    io.out << manual_page(verbs, arguments.size() == 2 ? arguments[1] : "rouleau");
+    return static_cast<int>(Exit::ok);
+  }
+  if (first == complete_option) {
+    for (const Candidate& candidate : completions(verbs, {arguments.begin() + 1, arguments.end()}))
+      io.out << candidate.text << '\t' << candidate.meaning << '\n';
     return static_cast<int>(Exit::ok);
   }
   if (first == "--help" || first == "-h" || first == "help") {

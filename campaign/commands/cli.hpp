@@ -24,8 +24,9 @@ struct Streams {
   std::ostream& err;
   bool out_is_terminal = false;
   bool err_is_terminal = false;
-  bool colour = false;  ///< colour allowed on `out`
-  int columns = 80;     ///< width of the terminal; of no meaning when `out` is none
+  bool colour = false;   ///< colour allowed on `out`
+  int columns = 80;      ///< width of the terminal; of no meaning when `out` is none
+  bool redraws = false;  ///< `out` is a terminal that can be drawn over
 };
 
 /// What the words that follow a verb mean.

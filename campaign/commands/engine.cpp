@@ -223,7 +223,9 @@ void check_by_job(Report& report, const CommandLine& line, const Cluster& cluste
 int check(const CommandLine& line) {
   const std::filesystem::path directory = std::filesystem::canonical(line.directory);
   if (!line.has("cluster") && !std::filesystem::exists(directory / "cluster.ini")) {
-    fail(Exit::usage, "{}: has no cluster.ini. Name a cluster file by --cluster FILE, such as one of share/clusters/.",
+    fail(Exit::usage,
+         "{}: has no cluster.ini. Name a cluster file by --cluster FILE; `rouleau engine --help-cluster` shows how one "
+         "is written.",
          directory.string());
   }
   const std::filesystem::path file =

@@ -12,8 +12,8 @@ namespace po = boost::program_options;
 
 void describe_engine(po::options_description& options) {
   options.add_options()  //
-      ("engine", po::value<std::string>()->value_name("NAME"),
-       "local: this machine's cores; slurm: jobs of a cluster. Kept for later passes")  //
+      ("engine", po::value<std::string>()->value_name("local|slurm"),
+       "this machine's cores, or jobs of a cluster; kept for later passes")  //
       ("cluster", po::value<std::string>()->value_name("FILE"),
        "how jobs are handed to Slurm; copied to cluster.ini of the campaign, where it may be edited")  //
       ("self-sustaining", po::bool_switch(),

@@ -188,7 +188,7 @@ int plan(const CommandLine& line) {
 const Verb plan_verb = {
     "plan",
     "points, steps, core-hours, wall-clock and disk; starts nothing",
-    "[DIR | STUDY] [options]",
+    "[DIR | STUDY] [--no-calibrate | --calibrate-s S] [--format csv|json]",
     "  rouleau plan my-campaign             what is left to do\n"
     "  rouleau plan study.ini               the same before there is a campaign\n"
     "  rouleau plan study.ini --format csv  for a spreadsheet\n",

@@ -20,9 +20,10 @@ using Strings = std::vector<std::string>;
 
 void describe(po::options_description& options) {
   auto add = options.add_options();
-  add("columns", po::value<std::string>()->value_name("A,B"), "columns, by whole name or last part (lambda)");
+  add("columns", po::value<std::string>()->value_name("COLUMN,..."),
+      "by whole name (fluid.lambda) or last part (lambda)");
   add("where", po::value<std::string>()->value_name("COND"), "condition, such as 'lambda > 4 and class = slipper'");
-  add("sort", po::value<std::string>()->value_name("A,-B"), "order; -B: descending");
+  add("sort", po::value<std::string>()->value_name("[-]COLUMN,..."), "order; with a minus: descending");
   add("window", po::value<std::string>()->value_name("SECONDS"), "average over another window; nothing is simulated");
   add("analysis", po::value<Strings>()->value_name("NAME=VALUE")->composing(),
       "another threshold: oscillation_window_s, croissant_d_um, slipper_d_um, drift_um");
@@ -70,12 +71,27 @@ int list_columns(const CommandLine& line, const Store& store) {
   return static_cast<int>(Exit::ok);
 }
 
+/// Leaves out the last columns of a listing that is wider than the terminal.   returns  their names
+std::string fit_into_terminal(const CommandLine& line, Table& table) {
+  std::string left_out;
+  if (line.format != Format::table || !line.io.out_is_terminal) return left_out;
+  while (table.columns.size() > 1 && text_width(table) > static_cast<std::size_t>(line.io.columns)) {
+    left_out = table.columns.back() + (left_out.empty() ? "" : ", ") + left_out;
+    cut(table, table.columns.size() - 1);
+  }
+  return left_out;
+}
+
 int query(const CommandLine& line) {
   Store store = Store::open_reader(line.directory / "campaign.db");
   if (line.is_set("list-columns")) return list_columns(line, store);
   const auto text = [&](const char* option) { return line.has(option) ? line.get<std::string>(option) : ""; };
-  const Table table = phase_table(store, {text("columns"), text("where"), text("sort"), asked_analysis(line, store)});
+  const PhaseQuery query{text("columns"), text("where"), text("sort"), asked_analysis(line, store)};
+  Table table = line.format == Format::table ? phase_table_for_eyes(store, query) : phase_table(store, query);
+  const std::string left_out = query.columns.empty() ? fit_into_terminal(line, table) : "";
   print(line, table);
+  if (!left_out.empty() && !line.quiet)
+    line.io.err << fmt::format("{} columns have no room for {}; `--columns` chooses\n", line.io.columns, left_out);
   if (!table.rows.empty()) return static_cast<int>(Exit::ok);
   if (!line.quiet) line.io.err << "no point matches\n";
   return static_cast<int>(Exit::not_found);
@@ -86,14 +102,16 @@ int query(const CommandLine& line) {
 const Verb query_verb = {
     "query",
     "the phase table; any columns and rows of it, over any window",
-    "[DIR] [--columns A,B] [--where COND] [--sort A,-B] [--window SECONDS] [--format F]",
+    "[DIR] [--columns COLUMN,...] [--where COND] [--sort COLUMN,...] [--window SECONDS] [--format csv|json]",
     "  rouleau query my-campaign\n"
     "  rouleau query my-campaign --where 'lambda between 4 and 5 and class = slipper'\n"
     "  rouleau query my-campaign --columns lambda,d_mean_um,d_error_um --sort -lambda --format csv\n"
     "  rouleau query my-campaign --window 0.1     averaged over the last 0.1 s instead\n"
     "  rouleau query my-campaign --analysis slipper_d_um=0.4 --analysis croissant_d_um=0.2\n",
     "COND: name = value, !=, <, <=, >, >=, between A and B, in (A, B), is null, is not null; joined by and, or, not,\n"
-    "( ). Ends with 3 when nothing matches.\n",
+    "( ). Ends with 3 when nothing matches.\n"
+    "0.208(40) is 0.208 with a standard error of 0.040; naming the error's column (d_error_um) sets it apart. csv and\n"
+    "json have every digit, and the error always apart.\n",
     Words::campaign,
     true,
     describe,

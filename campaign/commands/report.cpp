@@ -55,8 +55,7 @@ ReportWish wish_of(const CommandLine& line) {
   if (line.has("watch")) {
     wish.watch_s = parse_number(line.get<std::string>("watch"));
     if (!wish.watch_s || !(*wish.watch_s >= 1) || *wish.watch_s > 86400)
-      fail(Exit::usage,
-           "rouleau report: --watch {}: seconds from 1 to 86400 are needed, or none; name the directory before --watch",
+      fail(Exit::usage, "rouleau report: --watch={}: seconds from 1 to 86400 are needed, or none",
            line.get<std::string>("watch"));
   }
   return wish;

@@ -126,7 +126,7 @@ int run(const CommandLine& line) { return Run(line)(); }
 const Verb run_verb = {
     "run",
     "run all points to their end; again after any interruption",
-    "[DIR] [options]",
+    "[DIR] [--engine local|slurm] [--cluster FILE] [--self-sustaining] [--dry-run]",
     "  rouleau run my-campaign        start, continue, retry: whatever is to be done\n"
     "  rouleau run                    the same in the current directory\n"
     "  rouleau run my-campaign --engine slurm --cluster my-cluster.ini   on a cluster, from a login node\n",

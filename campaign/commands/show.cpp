@@ -76,7 +76,8 @@ void write_for_eyes(std::ostream& out, const Table& table) {
       out << (heading.empty() ? "" : "\n") << exact_text(row[0]) << '\n';
       heading = exact_text(row[0]);
     }
-    out << fmt::format("  {:<{}}  {}\n", exact_text(row[1]), width, short_text(row[2]));
+    const std::string value = short_text(row[2]);
+    out << fmt::format("  {:<{}}  {}\n", exact_text(row[1]), width, value.empty() ? "-" : value);
   }
 }
 
@@ -101,7 +102,7 @@ int show(const CommandLine& line) {
 const Verb show_verb = {
     "show",
     "everything about a point: parameters, progress, results, attempts",
-    "POINT... [-C DIR] [--format F]",
+    "POINT... [-C DIR] [--format csv|json]",
     "  rouleau show '#3' -C my-campaign       the third point\n"
     "  rouleau show lambda=5                  all points with this value, of the campaign in this directory\n"
     "  rouleau show 4f1c --format json        a point by the beginning of its key\n",

@@ -69,7 +69,7 @@ int verify(const CommandLine& line) {
 const Verb verify_verb = {
     "verify",
     "read and compute everything again, and compare",
-    "[DIR] [--checkpoints] [--format F]",
+    "[DIR] [--checkpoints] [--format csv|json]",
     "  rouleau verify my-campaign                 samples, results, records against the run directories\n"
     "  rouleau verify my-campaign --checkpoints   and all checkpoints by the solver's own verify\n",
     "Ends with 0 when nothing is damaged (remarks are only news that `rouleau sync` will take note of), with 7 when\n"

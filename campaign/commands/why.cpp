@@ -28,7 +28,7 @@ int why(const CommandLine& line) {
 const Verb why_verb = {
     "why",
     "why a point is in its state: every change and its evidence",
-    "POINT... [-C DIR] [--format F]",
+    "POINT... [-C DIR] [--format csv|json]",
     "  rouleau why '#3' -C my-campaign   oldest change first\n",
     "",
     Words::points,

@@ -13,10 +13,11 @@
 
 namespace rouleau::campaign {
 
-SignalWatch::SignalWatch() {
+SignalWatch::SignalWatch(std::initializer_list<int> more) {
   sigset_t watched;
   sigemptyset(&watched);
   for (const int signal : {SIGINT, SIGTERM, SIGCHLD}) sigaddset(&watched, signal);
+  for (const int signal : more) sigaddset(&watched, signal);
   // Under nohup the user has asked for SIGHUP to be ignored; it stays so.
   struct sigaction hangup {};
   ::sigaction(SIGHUP, nullptr, &hangup);

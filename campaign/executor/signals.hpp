@@ -4,12 +4,15 @@
 
 #include <signal.h>
 
+#include <initializer_list>
+
 namespace rouleau::campaign {
 
-/// While it lives, SIGINT, SIGTERM, SIGHUP and SIGCHLD do nothing by themselves and are returned by wait().
+/// While it lives, SIGINT, SIGTERM, SIGHUP, SIGCHLD and those named do nothing by themselves and are returned by
+/// wait().
 class SignalWatch {
  public:
-  SignalWatch();
+  explicit SignalWatch(std::initializer_list<int> more = {});
   SignalWatch(const SignalWatch&) = delete;
   SignalWatch& operator=(const SignalWatch&) = delete;
   ~SignalWatch();

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "jobs/state.hpp"
 #include "study/error.hpp"
 #include "study/nearest.hpp"
 
@@ -26,14 +27,15 @@ const std::vector<Column>& fixed_columns() {
       {"class", "r.class", text, "croissant, slipper or undecided"},
       {"class_reason", "r.class_reason", text, "the numbers that decided the class"},
       {"note", "r.note", text, "what limits the figures"},
-      {"d_mean_um", "r.d_mean_um", number, "mean displacement over the window, um"},
+      {"d_mean_um", "r.d_mean_um", number, "mean displacement over the window, um", "d_error_um"},
       {"d_error_um", "r.d_error_um", number, "its standard error, um"},
       {"d_change_um", "r.d_change_um", number, "change of the mean from the window before, um"},
       {"d_amplitude_um", "r.d_amplitude_um", number, "amplitude of its oscillation, um"},
       {"d_period_s", "r.d_period_s", number, "period of its oscillation, s"},
-      {"asphericity_mean", "r.asphericity_mean", number, "mean asphericity over the window"},
+      {"asphericity_mean", "r.asphericity_mean", number, "mean asphericity over the window", "asphericity_error"},
       {"asphericity_error", "r.asphericity_error", number, "its standard error"},
-      {"tank_treading_per_s", "r.tank_treading_per_s", number, "turns of the membrane about the cell, 1/s"},
+      {"tank_treading_per_s", "r.tank_treading_per_s", number, "turns of the membrane about the cell, 1/s",
+       "tank_treading_error_per_s"},
       {"tank_treading_error_per_s", "r.tank_treading_error_per_s", number, "its standard error, 1/s"},
       {"tank_treading_reason", "r.tank_treading_reason", text, "over what it was taken, or why there is none"},
       {"time_s", "r.time_s", number, "time of the last sample, s"},
@@ -102,6 +104,12 @@ std::string Columns::short_name(const Column& column) const {
   const std::string last = column.name.substr(dot + 1);
   const auto has_last = [&](const Column& other) { return other.name == last || is_last_part(other.name, last); };
   return std::count_if(columns_.begin(), columns_.end(), has_last) == 1 ? last : column.name;
+}
+
+std::vector<std::string> words_of(const Column& column) {
+  if (column.name == "state") return {state_words.begin(), state_words.end()};
+  if (column.name == "class") return {"croissant", "slipper", "undecided"};
+  return {};
 }
 
 std::string expression_of(const Column& column, BoundValues& values) {

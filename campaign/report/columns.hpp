@@ -18,6 +18,7 @@ struct Column {
   std::string sql;   ///< an expression over `p` (v_points) and `r` (results); empty for a run parameter
   ColumnType type = ColumnType::text;
   std::string description;
+  std::string error = {};  ///< name of the column that holds its standard error; mostly none
 };
 
 /// The values of an SQL statement in the order of their numbers.
@@ -50,6 +51,9 @@ class Columns {
   std::vector<Column> columns_;
   std::vector<std::string> swept_;
 };
+
+/// The words that a column of few words can hold; empty: any.
+[[nodiscard]] std::vector<std::string> words_of(const Column& column);
 
 /// The SQL expression of a column; what it needs is added to `values`.
 std::string expression_of(const Column& column, BoundValues& values);

@@ -10,7 +10,6 @@
 #include <optional>
 #include <vector>
 
-#include "jobs/state.hpp"
 #include "study/error.hpp"
 #include "study/nearest.hpp"
 #include "study/numbers.hpp"
@@ -74,13 +73,6 @@ std::vector<Token> tokens_of(std::string_view text) {
   }
   tokens.push_back({TokenKind::end, "", text.size() + 1});
   return tokens;
-}
-
-/// The words that a column of few words can hold; empty: any.
-std::vector<std::string> words_of(const Column& column) {
-  if (column.name == "state") return {state_words.begin(), state_words.end()};
-  if (column.name == "class") return {"croissant", "slipper", "undecided"};
-  return {};
 }
 
 class Parser {

@@ -24,4 +24,8 @@ struct PhaseQuery {
 /// throws  Error (usage) for unknown names and conditions that are none
 Table phase_table(Store& reader, const PhaseQuery& query);
 
+/// The same to be looked at: a measure has as many digits as its error allows, and the error in brackets behind it,
+/// 0.208(40), unless the query names the error's column too.
+Table phase_table_for_eyes(Store& reader, const PhaseQuery& query);
+
 }  // namespace rouleau::campaign

@@ -7,11 +7,14 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <sstream>
+
+#include "report/digits.hpp"
 
 namespace rouleau::campaign {
 namespace {
 
-bool is_number(const Value& value) {
+bool holds_number(const Value& value) {
   return std::holds_alternative<std::int64_t>(value) || std::holds_alternative<double>(value);
 }
 
@@ -36,6 +39,43 @@ std::string padded(const std::string& text, std::size_t width, bool to_the_right
   return to_the_right ? blanks + text : text + blanks;
 }
 
+/// Narrower than this, a folded column is harder to read than lines that the terminal breaks.
+constexpr std::size_t narrowest_fold = 20;
+
+/// Where the columns of a table lie.
+struct Layout {
+  Layout(const Table& table, bool header) : width(table.columns.size(), 0), is_number(table.columns.size(), false) {
+    for (std::size_t c = 0; c < width.size(); ++c) {
+      if (header) width[c] = width_of(table.columns[c]);
+      is_number[c] = table.right_aligned.count(c) == 1;
+      for (const auto& row : table.rows) {
+        width[c] = std::max(width[c], width_of(short_text(row[c])));
+        is_number[c] = is_number[c] || holds_number(row[c]);
+      }
+      begin_of_last = c == 0 ? 0 : begin_of_last + width[c - 1] + 2;
+    }
+  }
+
+  std::vector<std::size_t> width;
+  std::vector<bool> is_number;
+  std::size_t begin_of_last = 0;
+};
+
+/// Breaks a text at blanks into lines of at most `width`; a longer word has a line of its own.
+std::string folded(const std::string& text, std::size_t width, std::size_t indent) {
+  std::istringstream words(text);
+  std::string result, word;
+  std::size_t used = 0;
+  while (words >> word) {
+    const std::size_t length = width_of(word);
+    const bool fits = used == 0 || used + 1 + length <= width;
+    if (used != 0) result += fits ? " " : "\n" + std::string(indent, ' ');
+    result += word;
+    used = fits && used != 0 ? used + 1 + length : length;
+  }
+  return result;
+}
+
 nlohmann::ordered_json json_of(const Value& value) {
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return *integer;
   if (const auto* real = std::get_if<double>(&value)) return *real;
@@ -45,6 +85,11 @@ nlohmann::ordered_json json_of(const Value& value) {
 
 }  // namespace
 
+void cut(Table& table, std::size_t columns) {
+  table.columns.resize(columns);
+  for (std::vector<Value>& row : table.rows) row.resize(columns);
+}
+
 std::string exact_text(const Value& value) {
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *integer);
   if (const auto* real = std::get_if<double>(&value)) return fmt::format("{}", *real);
@@ -53,30 +98,30 @@ std::string exact_text(const Value& value) {
 }
 
 std::string short_text(const Value& value) {
-  if (const auto* real = std::get_if<double>(&value)) return fmt::format("{:.6g}", *real);
+  if (const auto* real = std::get_if<double>(&value)) return short_number(*real);
   if (std::holds_alternative<std::monostate>(value)) return "-";
   return exact_text(value);
 }
 
-void write_text(std::ostream& out, const Table& table, bool header) {
-  const std::size_t columns = table.columns.size();
-  std::vector<std::size_t> width(columns, 0);
-  std::vector<bool> numeric(columns, false);
-  for (std::size_t c = 0; c < columns; ++c) {
-    if (header) width[c] = width_of(table.columns[c]);
-    for (const auto& row : table.rows) {
-      width[c] = std::max(width[c], width_of(short_text(row[c])));
-      numeric[c] = numeric[c] || is_number(row[c]);
-    }
-  }
+void write_text(std::ostream& out, const Table& table, bool header, std::size_t width) {
+  const Layout layout(table, header);
+  const std::size_t last = table.columns.size() - 1, begin = layout.begin_of_last;
+  const bool folds = width >= begin + narrowest_fold && !layout.is_number[last];
   const auto write_line = [&](auto&& text_of) {
     std::string line;
-    for (std::size_t c = 0; c < columns; ++c) line += (c == 0 ? "" : "  ") + padded(text_of(c), width[c], numeric[c]);
+    for (std::size_t c = 0; c < last; ++c) line += padded(text_of(c), layout.width[c], layout.is_number[c]) + "  ";
+    const std::string text = padded(text_of(last), layout.width[last], layout.is_number[last]);
+    line += folds && begin + width_of(text_of(last)) > width ? folded(text, width - begin, begin) : text;
     line.erase(line.find_last_not_of(' ') + 1);
     out << line << '\n';
   };
   if (header) write_line([&](std::size_t c) { return table.columns[c]; });
   for (const auto& row : table.rows) write_line([&](std::size_t c) { return short_text(row[c]); });
+}
+
+std::size_t text_width(const Table& table) {
+  const Layout layout(table, true);
+  return layout.begin_of_last + layout.width.back();
 }
 
 void write_csv(std::ostream& out, const Table& table, bool header) {

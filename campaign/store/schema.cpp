@@ -2,23 +2,14 @@
 // Creation, check and migration of the schema.
 #include "store/schema.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <array>
 
 #include "store/tables.hpp"
 #include "study/error.hpp"
+#include "study/whole_file.hpp"
 
 namespace rouleau::campaign {
 namespace {
-
-void sync_to_disk(const std::filesystem::path& path) {
-  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool synced = fd >= 0 && ::fsync(fd) == 0;
-  if (fd >= 0) ::close(fd);
-  if (!synced) fail(Exit::failed, "{}: cannot be synced to the disk; see that the disk is writable", path.string());
-}
 
 /// A complete copy of the database in a file of its own, whole or absent.
 void back_up(const Database& database, const std::filesystem::path& copy) {
@@ -26,9 +17,7 @@ void back_up(const Database& database, const std::filesystem::path& copy) {
   std::filesystem::remove(aside);
   Statement statement = database.prepare("VACUUM INTO ?");
   statement.bind(aside.string()).run();
-  sync_to_disk(aside);
-  std::filesystem::rename(aside, copy);
-  sync_to_disk(std::filesystem::absolute(copy).parent_path());
+  put_in_place(aside, copy);
 }
 
 /// Version 2 has the shape of the cell and its markers in the samples, and the tank-treading frequency in the results.

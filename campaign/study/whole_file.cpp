@@ -55,6 +55,16 @@ void write_whole_file(const std::filesystem::path& file, std::string_view text) 
   sync_directory(file.has_parent_path() ? file.parent_path() : ".");
 }
 
+void put_in_place(const std::filesystem::path& aside, const std::filesystem::path& file) {
+  {
+    const Descriptor written(aside, O_RDONLY);
+    if (written.fd() < 0) fail_with_errno(aside, "open");
+    if (::fsync(written.fd()) != 0) fail_with_errno(aside, "sync");
+  }
+  if (::rename(aside.c_str(), file.c_str()) != 0) fail_with_errno(file, "rename into place");
+  sync_directory(file.has_parent_path() ? file.parent_path() : ".");
+}
+
 std::optional<std::string> read_whole_file(const std::filesystem::path& file, std::size_t most_bytes) {
   // A pipe in the file's place that nobody writes to would block the opening for ever; so it reads as empty.
   const Descriptor in(file, O_RDONLY | O_NONBLOCK);

@@ -17,6 +17,10 @@ inline constexpr std::size_t largest_record = std::size_t{1} << 24;
 /// the reason
 void write_whole_file(const std::filesystem::path& file, std::string_view text);
 
+/// Syncs a file that was written aside, renames it over `file`, syncs the directory.   throws Error (failed) naming the
+/// file and the reason
+void put_in_place(const std::filesystem::path& aside, const std::filesystem::path& file);
+
 /// The whole content, or nothing if there is no such file.
 /// throws Error (failed) if it exists but cannot be read, or has more than `most_bytes`
 [[nodiscard]] std::optional<std::string> read_whole_file(const std::filesystem::path& file,

@@ -3,29 +3,13 @@
 
 #include <boost/program_options.hpp>
 #include <charconv>
-#include <sstream>
+#include <string_view>
 
 namespace rouleau {
 
 namespace po = boost::program_options;
 
 namespace {
-
-po::options_description visible_options() {
-  po::options_description options("Options", 100, 60);
-  options.add_options()                                                                                     //
-      ("attempt", po::value<int>(), "number of the attempt that a manager has made (with --token)")         //
-      ("token", po::value<std::string>(), "its token; without both the next attempt is claimed")            //
-      ("deadline-s", po::value<double>(), "stop behind a checkpoint before this many seconds have passed")  //
-      ("ranks", po::value<std::string>(), "cut of the lattice, such as 1x2x2; default: the cheapest")       //
-      ("quiet", "no conversion table, no progress lines")                                                   //
-      ("format", po::value<std::string>(), "text (default) or json, for check and inspect")                 //
-      ("slice", po::value<std::string>(), "y or z, for shape: the flags of that slice through the cell")    //
-      ("help", "this text")                                                                                 //
-      ("help-run-file", "every parameter of a run file, as a run file")                                     //
-      ("version", "version, git hash, compiler, libraries");
-  return options;
-}
 
 /// "1x2x2"
 Int3 parse_ranks(const std::string& text) {
@@ -60,10 +44,8 @@ void read_run_options(const po::variables_map& given, RunOptions& run) {
 Verb verb_of(std::vector<std::string>& words) {
   if (words.empty()) fail(Exit::usage, "a run file is missing: rouleau-solver run.ini (see --help).");
   Verb verb = Verb::run;
-  if (words[0] == "check") verb = Verb::check;
-  if (words[0] == "inspect") verb = Verb::inspect;
-  if (words[0] == "verify") verb = Verb::verify;
-  if (words[0] == "shape") verb = Verb::shape;
+  for (const Question& question : questions)
+    if (words[0] == question.word) verb = question.verb;
   if (verb != Verb::run) words.erase(words.begin());
   if (words.size() != 1)
     fail(Exit::usage,
@@ -75,17 +57,23 @@ Verb verb_of(std::vector<std::string>& words) {
 }  // namespace
 
 CommandLine parse_command_line(int argc, const char* const* argv) try {
+  CommandLine line;
+  if (argc > 1 && std::string_view(argv[1]) == "--complete") {
+    line.verb = Verb::complete;
+    line.words.assign(argv + 2, argv + argc);
+    return line;
+  }
   po::options_description all;
-  all.add(visible_options()).add_options()("word", po::value<std::vector<std::string>>());
+  all.add(program_options()).add_options()("word", po::value<std::vector<std::string>>());
   po::positional_options_description positions;
   positions.add("word", -1);
   po::variables_map given;
   const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
   po::store(po::command_line_parser(argc, argv).options(all).positional(positions).style(style).run(), given);
-
-  CommandLine line;
   if (given.count("help")) line.verb = Verb::help;
   if (given.count("help-run-file")) line.verb = Verb::help_run_file;
+  if (given.count("man")) line.verb = Verb::manual;
+  if (given.count("man-run-file")) line.verb = Verb::manual_of_run_file;
   if (given.count("version")) line.verb = Verb::version;
   if (line.verb != Verb::run) return line;
 
@@ -108,26 +96,6 @@ CommandLine parse_command_line(int argc, const char* const* argv) try {
   return line;
 } catch (const po::error& error) {
   throw Error(Exit::usage, std::string(error.what()) + " (see rouleau-solver --help).");
-}
-
-std::string help_text() {
-  std::ostringstream text;
-  text << "Runs red blood cells in a channel, from a run file; stopped or killed, the same command resumes.\n\n"
-          "  rouleau-solver run.ini                    one core\n"
-          "  mpirun -n 4 rouleau-solver run.ini        four; the same bits\n"
-          "  rouleau-solver check run.ini              what would run: conversion table, cost, warnings\n"
-          "  rouleau-solver inspect FILE.h5            what a checkpoint holds\n"
-          "  rouleau-solver verify FILE.h5             whether it is whole\n"
-          "  rouleau-solver shape FILE.h5              the cells of a checkpoint or snapshot, as JSON\n"
-          "  rouleau-solver --help-run-file > run.ini  a run file to start from\n\n"
-          "A run writes into the folder of its run file. Ctrl-C, SIGTERM, SIGUSR2 or a file named `stop` there end it "
-          "behind a\n"
-          "checkpoint.\n\n"
-       << visible_options()
-       << "\nExit codes: 0 finished, 64 usage, 65 bad input, 70 physics failed, 74 files, 75 stopped (run again to go "
-          "on),\n"
-          "76 a newer attempt has taken over.\n";
-  return text.str();
 }
 
 }  // namespace rouleau

@@ -26,6 +26,7 @@ RunLoop::RunLoop(const LoopParts& parts, std::optional<std::int64_t> resumed_at)
     : parts_(parts),
       stop_(parts.comm, parts.deadline_s, parts.run_directory / "stop"),
       snapshots_(parts.setup, parts.comm, parts.files, parts.run_directory, parts.attempt),
+      bar_(parts.comm.is_root() && !parts.quiet),
       start_step_(resumed_at.value_or(0)),
       end_step_(parts.setup.lattice.steps),
       checkpoint_step_(resumed_at),
@@ -70,6 +71,7 @@ Outcome RunLoop::run() try {
       parts_.comm.broadcast(&due, sizeof due);
       if (due == a_checkpoint) checkpoint();
       if (due != nothing) report_progress();
+      if (bar_.is_due(now)) bar_.draw(progress_now(), now);
     }
     if (step % health_interval == 0) parts_.simulation.check_health();
     parts_.simulation.step();
@@ -112,25 +114,30 @@ void RunLoop::checkpoint() {
   stop_.expect_checkpoint(checkpoint_s_);
 }
 
+Progress RunLoop::progress_now() const {
+  Progress p;
+  p.step = parts_.simulation.steps_done();
+  p.end_step = end_step_;
+  p.time_s = parts_.setup.units.time_s(p.step);
+  p.end_time_s = parts_.setup.units.time_s(p.end_step);
+  p.steps_per_s = steps_per_s();
+  p.mlups = mlups(parts_.setup, p.steps_per_s);
+  if (p.steps_per_s > 0) p.eta_s = static_cast<double>(std::max<std::int64_t>(0, p.end_step - p.step)) / p.steps_per_s;
+  p.checkpoint_step = checkpoint_step_.value_or(0);
+  p.checkpoint_unix_s = checkpoint_unix_s_;
+  p.checkpoint_ms = 1e3 * checkpoint_s_;
+  p.d_um = d_um_;
+  p.asphericity = asphericity_;
+  p.updated_unix_s = unix_s();
+  return p;
+}
+
 void RunLoop::report_progress() {
   progressed_s_ = monotonic_s();
   parts_.comm.on_root([&] {
-    Progress p;
-    p.step = parts_.simulation.steps_done();
-    p.end_step = end_step_;
-    p.time_s = parts_.setup.units.time_s(p.step);
-    p.end_time_s = parts_.setup.units.time_s(p.end_step);
-    p.steps_per_s = steps_per_s();
-    p.mlups = mlups(parts_.setup, p.steps_per_s);
-    if (p.steps_per_s > 0)
-      p.eta_s = static_cast<double>(std::max<std::int64_t>(0, p.end_step - p.step)) / p.steps_per_s;
-    p.checkpoint_step = checkpoint_step_.value_or(0);
-    p.checkpoint_unix_s = checkpoint_unix_s_;
-    p.checkpoint_ms = 1e3 * checkpoint_s_;
-    p.d_um = d_um_;
-    p.asphericity = asphericity_;
-    p.updated_unix_s = unix_s();
+    const Progress p = progress_now();
     write_progress(parts_.files, *parts_.attempt, p);
+    if (bar_.is_shown()) return bar_.draw(p, progressed_s_);
     if (!parts_.quiet)
       fmt::print(stderr, "step {:>9} of {}  t {:.6f} s  {:7.1f} steps/s  {:6.1f} MLUPS{}{}\n", p.step, p.end_step,
                  p.time_s, p.steps_per_s, p.mlups, p.eta_s ? fmt::format("  {:.0f} s left", *p.eta_s) : "",

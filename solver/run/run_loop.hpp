@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "run/progress_bar.hpp"
 #include "run/sampling.hpp"
 #include "run/simulation.hpp"
 #include "run/snapshots.hpp"
@@ -53,13 +54,14 @@ class RunLoop {
  private:
   void sample();
   void checkpoint();
+  [[nodiscard]] Progress progress_now() const;  ///< rank 0's
   void report_progress();
-  void step_until_next_look();
   [[nodiscard]] std::string last_checkpoint() const;
 
   LoopParts parts_;
   StopWatch stop_;
   Snapshots snapshots_;
+  ProgressBar bar_;
   std::int64_t start_step_ = 0, end_step_ = 0;
   std::int64_t last_sampled_ = -1;
   std::optional<std::int64_t> checkpoint_step_;

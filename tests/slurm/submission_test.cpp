@@ -8,6 +8,7 @@ namespace {
 using rouleau::testing::eventually;
 using rouleau::testing::FakeCampaign;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(Submission, FindsTheIdAmongTheNoiseOfAWrapper) {
   const FakeCampaign campaign;
@@ -17,6 +18,17 @@ TEST(Submission, FindsTheIdAmongTheNoiseOfAWrapper) {
   ASSERT_TRUE(campaign.sync_until_all(State::done)) << campaign.last_words();
   EXPECT_EQ(campaign.slurm.jobs().size(), 1U);
   EXPECT_EQ(campaign.program.store().attempts(campaign.program.point(1).key)[0].job_id, "1");
+}
+
+TEST(Submission, IsNoLongerWhatStatusSaysOfAJobThatComputes) {
+  const FakeCampaign campaign;
+  campaign.script(1, "hang 100\n");
+  ASSERT_TRUE(campaign.start_and_reach(50)) << campaign.last_words();
+  ASSERT_TRUE(eventually([&] { return std::filesystem::exists(campaign.program.run_directory(1) / "progress.json"); }));
+  const Capture status = campaign.program.rouleau({"status", "c"});
+  EXPECT_THAT(status.out, HasSubstr("job 1"));
+  EXPECT_THAT(status.out, Not(HasSubstr("submitted")));
+  ASSERT_TRUE(campaign.sync_until_all(State::done)) << campaign.last_words();
 }
 
 struct Refusal {

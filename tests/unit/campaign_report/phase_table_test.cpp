@@ -65,6 +65,40 @@ TEST(PhaseTable, AnotherWindowIsComputedFromTheSamplesByAReader) {
               ElementsAre("0.8"));  // the stored one
 }
 
+TEST(PhaseTableForEyes, HasTheErrorInBracketsBehindItsValue) {
+  testing::SmallCampaign campaign;
+  const Table table = phase_table_for_eyes(campaign.store, {"lambda,d_mean_um,class", "", "", {}});
+  EXPECT_THAT(table.columns, ElementsAre("lambda", "d_mean_um", "class"));
+  EXPECT_THAT(column(table, 1), ElementsAre("0.050(12)", "0.400(12)", "0.8", ""));
+  EXPECT_EQ(table.right_aligned.count(1), 1U);
+  EXPECT_THAT(phase_table_for_eyes(campaign.store, {}).columns, ::testing::Not(::testing::Contains("d_error_um")));
+}
+
+TEST(PhaseTableForEyes, SetsTheErrorApartWhenItIsNamed) {
+  testing::SmallCampaign campaign;
+  const Table table = phase_table_for_eyes(campaign.store, {"d_error_um,d_mean_um", "", "", {}});
+  EXPECT_THAT(column(table, 0), ElementsAre("0.012", "0.012", "", ""));
+  EXPECT_THAT(column(table, 1), ElementsAre("0.050", "0.400", "0.8", ""));
+}
+
+TEST(PhaseTableForEyes, NamingAColumnTwiceShowsItTwice) {
+  testing::SmallCampaign campaign;
+  const Table table = phase_table_for_eyes(campaign.store, {"d_mean_um,d_mean_um", "lambda = 1", "", {}});
+  EXPECT_THAT(table.rows, ElementsAre(ElementsAre(Value(std::string("0.050(12)")), Value(std::string("0.050(12)")))));
+}
+
+TEST(PhaseTable, EveryMeasureNamesAnErrorThatIsAColumn) {
+  testing::SmallCampaign campaign;
+  const Columns columns(campaign.store);
+  int measures = 0;
+  for (const Column& one : columns.all()) {
+    if (one.error.empty()) continue;
+    EXPECT_EQ(columns.find(one.error).name, one.error);
+    ++measures;
+  }
+  EXPECT_EQ(measures, 3);
+}
+
 TEST(PhaseTable, EveryListedColumnCanBeQueriedByItsNames) {
   testing::SmallCampaign campaign;
   const Columns columns(campaign.store);

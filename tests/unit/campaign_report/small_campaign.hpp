@@ -10,7 +10,8 @@
 
 namespace rouleau::campaign::testing {
 
-/// Points #1 ... #4 with fluid.lambda = 1, 4.75, 5, 10: croissant, undecided, slipper, and one without a result.
+/// Points #1 ... #4 with fluid.lambda = 1, 4.75, 5, 10: croissant, undecided, slipper (without an error), and one
+/// without a result.
 class SmallCampaign {
  public:
   SmallCampaign() : store(Store::create(directory.path() / "campaign.db", {"small", "", "", 1.7e9, "0.1.0", "abc"})) {
@@ -41,6 +42,7 @@ class SmallCampaign {
     result.point = key;
     result.window_s = 0.2;
     result.d_mean_um = d;
+    if (ordinal != 3) result.d_error_um = 0.0123;
     result.phase = phase;
     result.phase_reason = "test";
     store.put_result(result);

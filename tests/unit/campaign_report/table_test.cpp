@@ -67,5 +67,36 @@ TEST(Table, TextIsAlignedWithNumbersToTheRight) {
             "  n  word\n0.5  µm\n 10  -\n");
 }
 
+TEST(Table, NumbersWrittenAsTextGoToTheRightToo) {
+  Table table{
+      "k", {"d_mean_um", "λ"}, {{std::string("0.208(40)"), 5.0}, {std::string("12.3(1.5)"), 10.0}, {Value(), 1.0}}};
+  table.right_aligned = {0};
+  EXPECT_EQ(written([&](auto& out) { write_text(out, table, true); }),
+            "d_mean_um   λ\n0.208(40)   5\n12.3(1.5)  10\n        -   1\n");
+}
+
+TEST(Table, ALongLastColumnOfWordsIsFoldedToTheWidth) {
+  const Table table{
+      "k", {"n", "evidence"}, {{std::int64_t{7}, std::string("the µ-process is gone and left no record")}}};
+  EXPECT_EQ(written([&](auto& out) { write_text(out, table, true, 24); }),
+            "n  evidence\n7  the µ-process is gone\n   and left no record\n");
+  const std::string unfolded = "n  evidence\n7  the µ-process is gone and left no record\n";
+  EXPECT_EQ(written([&](auto& out) { write_text(out, table, true); }), unfolded);
+  EXPECT_EQ(written([&](auto& out) { write_text(out, table, true, 22); }), unfolded);  // too narrow to be of use
+  EXPECT_EQ(text_width(table), 43U);
+}
+
+TEST(Table, WordsLongerThanTheWidthStayWhole) {
+  const Table table{"k", {"file"}, {{std::string("a checkpoints/000000003598.h5.foreign b")}}};
+  EXPECT_EQ(written([&](auto& out) { write_text(out, table, false, 20); }),
+            "a\ncheckpoints/000000003598.h5.foreign\nb\n");
+}
+
+TEST(Table, CutLeavesTheFirstColumns) {
+  Table table = sample_table();
+  cut(table, 1);
+  EXPECT_EQ(written([&](auto& out) { write_csv(out, table, true); }), "lambda\r\n0.30000000000000004\r\n12\r\n");
+}
+
 }  // namespace
 }  // namespace rouleau::campaign

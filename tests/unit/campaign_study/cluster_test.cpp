@@ -154,7 +154,7 @@ TEST(ClusterFile, MissingFileAndDirectoryAreToldApart) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), Exit::not_found);
-    EXPECT_THAT(error.what(), HasSubstr("share/clusters"));
+    EXPECT_THAT(error.what(), HasSubstr("--help-cluster"));
   }
   try {
     static_cast<void>(read_cluster(place.path()));

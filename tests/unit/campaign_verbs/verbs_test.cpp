@@ -1,63 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The verbs that read, and rebuild, as a user calls them: words in, streams and exit code out.
-#include "commands/verbs.hpp"
-
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "../campaign_ingest/written_campaign.hpp"
-#include "executor/process.hpp"
+#include "three_points.hpp"
 
 namespace rouleau::campaign {
 namespace {
 
 using ::rouleau::testing::content_of;
 using ::rouleau::testing::set_content;
+using testing::Answer;
+using testing::call;
 using ::testing::HasSubstr;
-using testing::log_header;
-using testing::log_lines;
-using ::testing::Not;
 using Json = nlohmann::json;
-
-struct Answer {
-  int code = 0;
-  std::string out, err;
-};
 
 class VerbsTest : public ::testing::Test {
  protected:
-  /// λ = 1 is done, λ = 5 crashed in its first attempt, λ = 9 waits. The database is made by `rebuild`.
-  VerbsTest() {
-    campaign_.host = host_name();  // and of another boot: their processes are known to be gone
-    for (const int lambda : {1, 5, 9}) campaign_.add_point(lambda);
-    for (const char* key : {"000000abc001", "000000abc005"}) {
-      campaign_.add_attempt(key, 1);
-      set_content(campaign_.log(key), log_header + log_lines(0, 100000));
-    }
-    campaign_.end_attempt("000000abc001", 1, 0, 0, 100000);
-    made_ = call({"rebuild", campaign_.path()});
-  }
-
-  Answer call(const std::vector<std::string>& words) const {
-    std::ostringstream out, err;
-    Streams io{out, err};
-    const int code = run_command_line(all_verbs, words, io);
-    return {code, out.str(), err.str()};
-  }
   Answer on_campaign(std::vector<std::string> words) const {
     words.insert(words.end(), {"--dir", campaign_.path()});
     return call(words);
   }
 
-  testing::WrittenCampaign campaign_;
-  Answer made_;
+  testing::ThreePoints campaign_;
 };
 
 TEST_F(VerbsTest, RebuildMakesTheDatabaseAndKeepsTheOldFile) {
-  EXPECT_EQ(made_.code, 0) << made_.err;
-  EXPECT_THAT(made_.err, HasSubstr("3 points, 2 attempts, 2002 samples"));
+  EXPECT_EQ(campaign_.made.code, 0) << campaign_.made.err;
+  EXPECT_THAT(campaign_.made.err, HasSubstr("3 points, 2 attempts, 2002 samples"));
   const std::string before = on_campaign({"export"}).out;
   set_content(campaign_.path() / "campaign.db", "not a database any more");
   EXPECT_EQ(on_campaign({"query"}).code, 1);
@@ -141,6 +113,26 @@ TEST_F(VerbsTest, QueryOverAnotherWindowSimulatesNothing) {
   EXPECT_LT(mean({}), 0.85);                          // the study's 0.1 s: the lower half wave
 }
 
+TEST_F(VerbsTest, QueryShowsErrorsInBracketsToEyesAndEveryDigitToPrograms) {
+  const std::vector<std::string> words = {"query", "--columns", "lambda,d_mean_um", "--where", "lambda = 1"};
+  EXPECT_THAT(on_campaign(words).out, ::testing::MatchesRegex("lambda +d_mean_um\n +1  [0-9.]+\\([0-9]+\\)\n"));
+  std::vector<std::string> exact = words;
+  exact.insert(exact.end(), {"--format", "csv"});
+  EXPECT_THAT(on_campaign(exact).out, ::testing::MatchesRegex("lambda,d_mean_um\r\n1,0\\.[0-9]{12,}\r\n"));
+}
+
+TEST_F(VerbsTest, QueryNamesTheColumnsThatATerminalHasNoRoomFor) {
+  std::ostringstream out, err;
+  Streams io{out, err, true, true, false, 80};
+  EXPECT_EQ(run_command_line(all_verbs, {"query", campaign_.path()}, io), 0);
+  std::istringstream lines(out.str());
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
+  EXPECT_THAT(out.str(), HasSubstr("d_mean_um"));
+  EXPECT_THAT(err.str(), HasSubstr("80 columns have no room for"));
+  EXPECT_THAT(err.str(), HasSubstr("core_h, mlups; `--columns` chooses"));
+  EXPECT_THAT(on_campaign({"query"}).out, HasSubstr("mlups"));  // a file or a pipe has room
+}
+
 TEST_F(VerbsTest, QueryWithoutAMatchEndsWith3AndWithAMistakeWith2) {
   EXPECT_EQ(on_campaign({"query", "--where", "lambda > 100"}).code, 3);
   const Answer answer = on_campaign({"query", "--where", "lamda > 100"});
@@ -149,19 +141,6 @@ TEST_F(VerbsTest, QueryWithoutAMatchEndsWith3AndWithAMistakeWith2) {
   EXPECT_EQ(on_campaign({"query", "--window", "-1"}).code, 2);
   EXPECT_EQ(on_campaign({"query", "--analysis", "slipper_d_um=0.1"}).code, 2);  // below croissant_d_um
   EXPECT_EQ(on_campaign({"query", "--list-columns"}).code, 0);
-}
-
-TEST_F(VerbsTest, ExportWritesPointsAndSamples) {
-  EXPECT_THAT(on_campaign({"export"}).out, HasSubstr("fluid.lambda"));
-  const Json samples =
-      Json::parse(on_campaign({"export", "--samples", "--where", "lambda = 5", "--format", "json"}).out);
-  EXPECT_EQ(samples["rows"].size(), 1001U);
-  const std::filesystem::path file = campaign_.path() / "samples.csv";
-  EXPECT_EQ(on_campaign({"export", "--samples", "-o", file}).code, 0);
-  const std::string text = content_of(file);
-  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2003);
-  EXPECT_EQ(on_campaign({"export", "-o", campaign_.path() / "no" / "such" / "file"}).code, 1);
-  EXPECT_EQ(on_campaign({"export", "--format", "table"}).code, 2);
 }
 
 TEST_F(VerbsTest, VerifyEndsWith7OnDamageOnly) {

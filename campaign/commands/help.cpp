@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Help as plain text: an example first, lines of 80 columns for options.
+#include "commands/help.hpp"
+
+#include <algorithm>
+#include <ostream>
+#include <sstream>
+
+#include "commands/option_list.hpp"
+
+namespace rouleau::campaign {
+
+namespace {
+
+constexpr std::size_t line_width = 80;
+constexpr std::size_t widest_left = 30;  ///< a longer left side gets a line of its own
+
+/// Words of `text` after a left column.
+void print_item(std::ostream& out, const std::string& left, std::size_t left_width, const std::string& text) {
+  const std::string indent(left_width + 4, ' ');
+  std::string line = fmt::format("  {:<{}}", left, left_width);
+  if (left.size() > left_width) {
+    out << line << '\n';
+    line = indent.substr(2);
+  }
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const std::size_t gap = line.size() < indent.size() ? indent.size() - line.size() : 1;
+    if (line.size() > indent.size() && line.size() + 1 + word.size() > line_width) {
+      out << line << '\n';
+      line = indent + word;
+    } else {
+      line += std::string(gap, ' ') + word;
+    }
+  }
+  out << line << '\n';
+}
+
+void print_options(std::ostream& out, const char* title, const std::vector<OptionEntry>& options) {
+  if (options.empty()) return;
+  std::vector<std::string> lefts;
+  std::size_t left_width = 0;
+  for (const OptionEntry& option : options) {
+    lefts.push_back((option.short_name.empty() ? "    " : option.short_name + ", ") + option.usage());
+    left_width = std::max(left_width, std::min(widest_left, lefts.back().size()));
+  }
+  out << '\n' << title << ":\n";
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    const std::string& text = options[i].default_text;
+    print_item(out, lefts[i], left_width, options[i].meaning + (text.empty() ? "" : " (default: " + text + ")"));
+  }
+}
+
+void print_meanings(std::ostream& out, const char* title, std::span<const Meaning> meanings) {
+  std::size_t left_width = 0;
+  for (const Meaning& entry : meanings) left_width = std::max(left_width, std::string_view(entry.word).size());
+  out << '\n' << title << ":\n";
+  for (const Meaning& entry : meanings) print_item(out, entry.word, left_width, entry.meaning);
+}
+
+}  // namespace
+
+void print_overview(std::span<const Verb* const> verbs, std::ostream& out) {
+  out << "rouleau: " << program_summary << "\n\nExamples:\n" << first_examples;
+  std::vector<Meaning> meanings;
+  for (const Verb* verb : verbs) meanings.push_back({verb->name, verb->summary});
+  print_meanings(out, "Verbs (rouleau VERB --help tells more)", meanings);
+  print_meanings(out, "Options", program_options);
+  std::string codes;
+  for (const Meaning& code : exit_codes)
+    codes += fmt::format("{}{} {}", codes.empty() ? "" : ", ", code.word, code.meaning);
+  out << "\nExit codes:\n";
+  print_item(out, "", 0, codes);
+  print_meanings(out, "Environment", environment);
+}
+
+void print_help(const Verb& verb, std::ostream& out) {
+  out << "rouleau " << verb.name << ": " << verb.summary << "\n\nExamples:\n" << verb.examples;
+  out << "\nUsage: rouleau " << verb.name << ' ' << verb.synopsis << '\n';
+  if (*verb.notes != '\0') out << '\n' << verb.notes;
+  if (verb.words == Words::points) out << '\n' << how_points_are_named << '\n';
+  print_options(out, "Options", own_options(verb));
+  print_options(out, "Options of every verb", common_options(verb));
+}
+
+}  // namespace rouleau::campaign
