@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Opens both time series of a run with both XDMF readers of VTK, as ParaView does.   series_test.py SOLVER"""
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -115,6 +116,15 @@ class Series(unittest.TestCase):
                 reader, times = open_series(reader_class, series)
                 seen.append(array(grid_at(reader, times[1]), name).copy())
             self.assertTrue((seen[0] == seen[1]).all())
+
+    @unittest.skipUnless(shutil.which("pvbatch") and shutil.which("xvfb-run"), "pvbatch or xvfb-run is not installed")
+    def test_example_draws_a_picture(self):
+        example = os.path.join(os.path.dirname(__file__), "../../share/examples/cell_in_flow.py")
+        snapshots, picture = (os.path.join(RUN_DIRECTORY.name, name) for name in ("snapshots", "picture.png"))
+        subprocess.run(["xvfb-run", "-a", "pvbatch", example, snapshots, picture, "3.3"], check=True, timeout=100)
+        with open(picture, "rb") as file:
+            self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
+        self.assertGreater(os.path.getsize(picture), 10000, "nothing is drawn")
 
 
 if __name__ == "__main__":
