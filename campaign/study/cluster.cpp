@@ -308,8 +308,8 @@ Cluster read_cluster(const std::filesystem::path& file) {
   }
   const std::optional<std::string> text = read_whole_file(file, largest_cluster_file);
   if (!text) {
-    fail(Exit::not_found, "{}: there is no such cluster file. `rouleau engine --help-cluster` shows how one is written.",
-         file.string());
+    fail(Exit::not_found,
+         "{}: there is no such cluster file. `rouleau engine --help-cluster` shows how one is written.", file.string());
   }
   return parse_cluster(*text, file);
 }

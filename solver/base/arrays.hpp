@@ -24,13 +24,13 @@ struct AlignedAllocator {
   AlignedAllocator(const AlignedAllocator<U>&) {}  // NOLINT: the standard's rebind needs it implicit
   T* allocate(std::size_t n) {
     const std::size_t bytes = n * sizeof(T);
-    void* const begin = ::operator new (bytes, alignment(bytes));
+    void* const begin = ::operator new(bytes, alignment(bytes));
 #ifdef MADV_HUGEPAGE
     if (bytes >= huge_page) (void)::madvise(begin, bytes, MADV_HUGEPAGE);  // without them all works, only slower
 #endif
     return static_cast<T*>(begin);
   }
-  void deallocate(T* p, std::size_t n) { ::operator delete (p, alignment(n * sizeof(T))); }
+  void deallocate(T* p, std::size_t n) { ::operator delete(p, alignment(n * sizeof(T))); }
   bool operator==(const AlignedAllocator&) const { return true; }
 
  private:
