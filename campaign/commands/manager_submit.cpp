@@ -58,7 +58,7 @@ AttemptRow Manager::planned_job_attempt(const PointRow& point) const {
   AttemptRow attempt = planned_attempt(point, {});
   attempt.engine = slurm_engine;
   attempt.host.clear();  // Slurm chooses it
-  attempt.job_state = "submitted";
+  attempt.job_state = submitted_word;
   const double ranks = slurm_->cluster().ranks;
   if (ranks > 0) attempt.ranks = static_cast<int>(ranks);
   return attempt;

@@ -50,8 +50,8 @@ void look_at(PointStatus& status, const std::filesystem::path& run, const Attemp
   else if (!point.in_study)
     status.note = "no longer in the study";
   else if (is_open && !newest->job_id.empty())
-    // Who computes is no longer what the scheduler was last heard to say of him while he waited.
-    status.note = status.lives && !newest->job_state.starts_with("running")
+    // "submitted" is our own word of a job that nobody has looked for yet; one that computes is beyond it.
+    status.note = status.lives && newest->job_state == submitted_word
                       ? "job " + newest->job_id
                       : fmt::format("job {}: {}", newest->job_id, newest->job_state);
   else if (newest && !newest->reason.empty() && point.state != State::done && point.state != State::running)

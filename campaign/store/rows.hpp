@@ -55,6 +55,9 @@ enum class AttemptState {
 /// The engines by name.
 inline constexpr std::string_view local_engine = "local", slurm_engine = "slurm";
 
+/// AttemptRow::job_state of a job that nobody has looked for yet.
+inline constexpr const char* submitted_word = "submitted";
+
 /// One start of the solver on a point.
 struct AttemptRow {
   std::string point;
@@ -67,7 +70,7 @@ struct AttemptRow {
   std::string cores;  ///< the cores that it is pinned to, e.g. "0,1"
   std::string engine = std::string(local_engine);
   std::string job_id;     ///< of the scheduler; "" = none, or not known yet
-  std::string job_state;  ///< what the scheduler said last, in plain words
+  std::string job_state;  ///< what the scheduler said last, in plain words; submitted_word before it was asked
   double started_unix_s = 0;
   std::optional<double> ended_unix_s;
   std::optional<int> exit_code;  ///< of exit.json, else of the process

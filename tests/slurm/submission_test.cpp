@@ -22,12 +22,13 @@ TEST(Submission, FindsTheIdAmongTheNoiseOfAWrapper) {
 
 TEST(Submission, IsNoLongerWhatStatusSaysOfAJobThatComputes) {
   const FakeCampaign campaign;
-  campaign.script(1, "hang 100\n");
+  campaign.script(1, "hang 60\n");
   ASSERT_TRUE(campaign.start_and_reach(50)) << campaign.last_words();
   ASSERT_TRUE(eventually([&] { return std::filesystem::exists(campaign.program.run_directory(1) / "progress.json"); }));
   const Capture status = campaign.program.rouleau({"status", "c"});
   EXPECT_THAT(status.out, HasSubstr("job 1"));
   EXPECT_THAT(status.out, Not(HasSubstr("submitted")));
+  campaign.slurm.control({"end", campaign.slurm.jobs().at(0).id, "PREEMPTED", "kill"});
   ASSERT_TRUE(campaign.sync_until_all(State::done)) << campaign.last_words();
 }
 
