@@ -166,11 +166,11 @@ const Verb export_verb = {
     "csv (RFC 4180) and json have all columns of the points, or with --samples those of the time series; numbers in "
     "full\n"
     "precision, no value is an empty field or null.\n"
-    "sqlite is one file with all that a phase diagram is made of: points with all parameters (view v_all), results\n"
+    "\nsqlite is one file with all that a phase diagram is made of: points with all parameters (view v_all), results\n"
     "(v_phase), time series (v_samples), attempts and cost (v_attempts), the study file and versions. Named "
     "campaign.db\n"
     "in an empty directory it can be asked by `rouleau query`, over any window. There is no HDF5 form of it.\n"
-    "Works while `rouleau run` runs. Ends with 3 when no point matches --where.\n",
+    "\nWorks while `rouleau run` runs. Ends with 3 when no point matches --where.\n",
     Words::campaign,
     false,
     describe,

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Help as plain text: an example first, lines of 80 columns for options.
+// Help as plain text: an example first, lines of 80 columns.
 #include "commands/help.hpp"
 
 #include <algorithm>
 #include <ostream>
 #include <sstream>
 
+#include "commands/fit_text.hpp"
 #include "commands/option_list.hpp"
 
 namespace rouleau::campaign {
@@ -15,25 +16,49 @@ namespace {
 constexpr std::size_t line_width = 80;
 constexpr std::size_t widest_left = 30;  ///< a longer left side gets a line of its own
 
+/// Adds the words of `text` to a begun line; further lines begin with `indent`.
+void print_filled(std::ostream& out, std::string line, const std::string& indent, const std::string& text) {
+  std::istringstream words(text);
+  bool is_first = true;
+  for (std::string word; words >> word; is_first = false) {
+    if (!is_first && shown_width(line) + 1 + shown_width(word) > line_width) {
+      out << line << '\n';
+      line = indent;
+      is_first = true;
+    }
+    line += (is_first ? "" : " ") + word;
+  }
+  out << line << '\n';
+}
+
 /// Words of `text` after a left column.
 void print_item(std::ostream& out, const std::string& left, std::size_t left_width, const std::string& text) {
   const std::string indent(left_width + 4, ' ');
-  std::string line = fmt::format("  {:<{}}", left, left_width);
+  std::string line = fmt::format("  {:<{}}  ", left, left_width);
   if (left.size() > left_width) {
-    out << line << '\n';
-    line = indent.substr(2);
+    out << "  " << left << '\n';
+    line = indent;
   }
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    const std::size_t gap = line.size() < indent.size() ? indent.size() - line.size() : 1;
-    if (line.size() > indent.size() && line.size() + 1 + word.size() > line_width) {
-      out << line << '\n';
-      line = indent + word;
-    } else {
-      line += std::string(gap, ' ') + word;
+  print_filled(out, line, indent, text);
+}
+
+/// Paragraphs are filled; lines that begin with a blank stay as they are.
+void print_paragraphs(std::ostream& out, const std::string& text) {
+  std::string paragraph;
+  const auto end_paragraph = [&] {
+    if (!paragraph.empty()) print_filled(out, "", "", paragraph);
+    paragraph.clear();
+  };
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty() && line.front() != ' ') {
+      paragraph += line + ' ';
+      continue;
     }
+    end_paragraph();
+    out << line << '\n';
   }
-  out << line << '\n';
+  end_paragraph();
 }
 
 void print_options(std::ostream& out, const char* title, const std::vector<OptionEntry>& options) {
@@ -77,8 +102,8 @@ void print_overview(std::span<const Verb* const> verbs, std::ostream& out) {
 void print_help(const Verb& verb, std::ostream& out) {
   out << "rouleau " << verb.name << ": " << verb.summary << "\n\nExamples:\n" << verb.examples;
   out << "\nUsage: rouleau " << verb.name << ' ' << verb.synopsis << '\n';
-  if (*verb.notes != '\0') out << '\n' << verb.notes;
-  if (verb.words == Words::points) out << '\n' << how_points_are_named << '\n';
+  if (*verb.notes != '\0') print_paragraphs(out, std::string("\n") + verb.notes);
+  if (verb.words == Words::points) print_paragraphs(out, std::string("\n") + how_points_are_named);
   print_options(out, "Options", own_options(verb));
   print_options(out, "Options of every verb", common_options(verb));
 }

@@ -110,7 +110,8 @@ const Verb query_verb = {
     "  rouleau query my-campaign --analysis slipper_d_um=0.4 --analysis croissant_d_um=0.2\n",
     "COND: name = value, !=, <, <=, >, >=, between A and B, in (A, B), is null, is not null; joined by and, or, not,\n"
     "( ). Ends with 3 when nothing matches.\n"
-    "0.208(40) is 0.208 with a standard error of 0.040; naming the error's column (d_error_um) sets it apart. csv and\n"
+    "\n0.208(40) is 0.208 with a standard error of 0.040; naming the error's column (d_error_um) sets it apart. csv "
+    "and\n"
     "json have every digit, and the error always apart.\n",
     Words::campaign,
     true,

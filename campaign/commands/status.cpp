@@ -152,8 +152,7 @@ const Verb status_verb = {
     "  rouleau status my-campaign --format json   for programs\n",
     "Reads only, and works while `rouleau run` runs. `left` and `MLUPS` are those of running jobs; `d_um` is the last\n"
     "displacement. States: waiting, queued (by Slurm), running, stopped (will be continued), done,\n"
-    "failed (physics), refused (bad input),\n"
-    "crashed (will be retried), exhausted (retries used up), cancelled.\n",
+    "failed (physics), refused (bad input), crashed (will be retried), exhausted (retries used up), cancelled.\n",
     Words::campaign,
     true,
     describe,
