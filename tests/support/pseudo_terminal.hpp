@@ -64,6 +64,8 @@ class TerminalPicture {
   }
 
   bool is_second = false, cursor_is_shown = true, wraps = true;
+  /// A picture that begins in the corner is whole when the rest below it was cleared: it may arrive in pieces.
+  bool is_whole = true;
   int overflows = 0;  ///< characters of the last picture that found no room in their line
   int colours = 0;    ///< changes of colour
   int second_screens = 0;
@@ -104,8 +106,10 @@ class TerminalPicture {
       line.resize(std::min(line.size(), cursor));
       for (std::size_t below = static_cast<std::size_t>(row_) + 1; below < lines_.size(); ++below)
         lines_[below].clear();
+      is_whole = true;
     } else if (what == "\033[H") {
       row_ = column_ = overflows = 0;
+      is_whole = false;
     } else if (what == "\033[?1049h" || what == "\033[?1049l") {
       take_screen(what.back() == 'h');
     } else if (what == "\033[?25h" || what == "\033[?25l") {
@@ -174,12 +178,13 @@ class PseudoTerminal {
     EXPECT_EQ(::ioctl(fd_, TIOCSWINSZ, &size), 0);  // sends SIGWINCH
   }
 
-  /// Reads what the program writes until the picture is as wanted.   returns false when it was not within a minute, or
-  /// when the program has closed the terminal before
+  /// Reads what the program writes until the picture is whole and as wanted.   returns false when it was not within a
+  /// minute, or when the program has closed the terminal before
   bool shows(const std::function<bool(const TerminalPicture&)>& wanted) {
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
-    while (!wanted(picture)) {
-      if (std::chrono::steady_clock::now() > deadline || !read_some()) return wanted(picture);
+    const auto is_there = [&] { return picture.is_whole && wanted(picture); };
+    while (!is_there()) {
+      if (std::chrono::steady_clock::now() > deadline || !read_some()) return is_there();
     }
     return true;
   }
@@ -203,7 +208,7 @@ class PseudoTerminal {
   bool read_some() {
     pollfd waiting{fd_, POLLIN, 0};
     if (::poll(&waiting, 1, 100) == 0) return true;
-    char buffer[4096];
+    char buffer[256];  // in pieces, as on a slow line
     const ssize_t count = ::read(fd_, buffer, sizeof buffer);
     if (count <= 0) return false;  // the program has closed the other side
     const std::string bytes(buffer, static_cast<std::size_t>(count));
