@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds and runs the validation suite: a table on stdout, the checks in build/validation.json. Ends with 1 if one fails.
 #   share/validate.sh [--only duct,membrane] [--list]
-# Without arguments the report is looked at in a browser first (chromium and gnuplot are installed for it).
+# Without arguments the report is looked at in a browser first (chromium, gnuplot and poppler-utils are installed for it).
 # What is simulated stays in build/validation: called again, it goes on where it was, and repeats nothing.
-[ $# -gt 0 ] || more_packages=(gnuplot-nox chromium)
+[ $# -gt 0 ] || more_packages=(gnuplot-nox chromium poppler-utils)
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 echo "== building" >&2

@@ -46,6 +46,7 @@ summary { cursor: pointer; padding: 0.4rem 0; font-weight: 600; }
   @page { margin: 15mm; }
   body { font-size: 10pt; max-width: none; padding: 0; }
   nav { display: none; }
+  details::details-content { content-visibility: visible; display: block; block-size: auto; }
   h2 { break-after: avoid; }
   figure, tr { break-inside: avoid; }
   .wide, pre { overflow: visible; max-height: none; }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <regex>
 #include <set>
 
 #include "small_report.hpp"
@@ -129,6 +130,16 @@ TEST_F(ReportInBrowser, IsShownAndPrinted) {
   EXPECT_TRUE(content_of(beside("phone.png")).starts_with("\x89PNG"));
   static_cast<void>(browse(report(), {"--no-pdf-header-footer", "--print-to-pdf=" + beside("report.pdf").string()}));
   EXPECT_TRUE(content_of(beside("report.pdf")).starts_with("%PDF"));
+
+  // On paper nothing can be opened: what is folded on the screen is printed.
+  const std::string page = content_of(report());
+  std::smatch identity;
+  const std::string folded = page.substr(page.find("<summary>Digests"));
+  ASSERT_TRUE(std::regex_search(folded, identity, std::regex("[0-9a-f]{32}")));
+  ASSERT_EQ(page.find(identity.str()), page.size() - folded.size() + static_cast<std::size_t>(identity.position()))
+      << "it stands elsewhere, too";
+  const Capture paper = run_and_capture({"pdftotext", "-layout", beside("report.pdf").string(), "-"});
+  EXPECT_THAT(paper.out, HasSubstr(identity.str()));
 }
 
 }  // namespace
