@@ -6,8 +6,8 @@
 #include <ostream>
 #include <sstream>
 
-#include "commands/fit_text.hpp"
 #include "commands/option_list.hpp"
+#include "report/fit_text.hpp"
 
 namespace rouleau::campaign {
 
@@ -16,37 +16,21 @@ namespace {
 constexpr std::size_t line_width = 80;
 constexpr std::size_t widest_left = 30;  ///< a longer left side gets a line of its own
 
-/// Adds the words of `text` to a begun line; further lines begin with `indent`.
-void print_filled(std::ostream& out, std::string line, const std::string& indent, const std::string& text) {
-  std::istringstream words(text);
-  bool is_first = true;
-  for (std::string word; words >> word; is_first = false) {
-    if (!is_first && shown_width(line) + 1 + shown_width(word) > line_width) {
-      out << line << '\n';
-      line = indent;
-      is_first = true;
-    }
-    line += (is_first ? "" : " ") + word;
-  }
-  out << line << '\n';
-}
-
 /// Words of `text` after a left column.
 void print_item(std::ostream& out, const std::string& left, std::size_t left_width, const std::string& text) {
-  const std::string indent(left_width + 4, ' ');
-  std::string line = fmt::format("  {:<{}}  ", left, left_width);
-  if (left.size() > left_width) {
-    out << "  " << left << '\n';
-    line = indent;
-  }
-  print_filled(out, line, indent, text);
+  const std::size_t indent = left_width + 4;
+  if (left.size() > left_width)
+    out << "  " << left << '\n' << std::string(indent, ' ');
+  else
+    out << "  " << filled(left, left_width + 2);
+  out << folded(text, line_width - indent, indent) << '\n';
 }
 
 /// Paragraphs are filled; lines that begin with a blank stay as they are.
 void print_paragraphs(std::ostream& out, const std::string& text) {
   std::string paragraph;
   const auto end_paragraph = [&] {
-    if (!paragraph.empty()) print_filled(out, "", "", paragraph);
+    if (!paragraph.empty()) out << folded(paragraph, line_width) << '\n';
     paragraph.clear();
   };
   std::istringstream lines(text);

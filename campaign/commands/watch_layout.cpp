@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "commands/duration.hpp"
-#include "commands/fit_text.hpp"
+#include "report/fit_text.hpp"
 
 namespace rouleau::campaign {
 

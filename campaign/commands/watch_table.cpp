@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "commands/duration.hpp"
-#include "commands/fit_text.hpp"
+#include "report/fit_text.hpp"
 #include "report/parameter_words.hpp"
 #include "report/table.hpp"
 

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <sstream>
 
 #include "report/digits.hpp"
+#include "report/fit_text.hpp"
 
 namespace rouleau::campaign {
 namespace {
@@ -28,17 +28,6 @@ std::string quoted(const std::string& field) {
   return text + "\"";
 }
 
-/// The number of characters that a terminal shows: UTF-8 continuation bytes take no place.
-std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
-}
-
-std::string padded(const std::string& text, std::size_t width, bool to_the_right) {
-  const std::string blanks(width - std::min(width, width_of(text)), ' ');
-  return to_the_right ? blanks + text : text + blanks;
-}
-
 /// Narrower than this, a folded column is harder to read than lines that the terminal breaks.
 constexpr std::size_t narrowest_fold = 20;
 
@@ -46,10 +35,10 @@ constexpr std::size_t narrowest_fold = 20;
 struct Layout {
   Layout(const Table& table, bool header) : width(table.columns.size(), 0), is_number(table.columns.size(), false) {
     for (std::size_t c = 0; c < width.size(); ++c) {
-      if (header) width[c] = width_of(table.columns[c]);
+      if (header) width[c] = shown_width(table.columns[c]);
       is_number[c] = table.right_aligned.count(c) == 1;
       for (const auto& row : table.rows) {
-        width[c] = std::max(width[c], width_of(short_text(row[c])));
+        width[c] = std::max(width[c], shown_width(short_text(row[c])));
         is_number[c] = is_number[c] || holds_number(row[c]);
       }
       begin_of_last = c == 0 ? 0 : begin_of_last + width[c - 1] + 2;
@@ -60,21 +49,6 @@ struct Layout {
   std::vector<bool> is_number;
   std::size_t begin_of_last = 0;
 };
-
-/// Breaks a text at blanks into lines of at most `width`; a longer word has a line of its own.
-std::string folded(const std::string& text, std::size_t width, std::size_t indent) {
-  std::istringstream words(text);
-  std::string result, word;
-  std::size_t used = 0;
-  while (words >> word) {
-    const std::size_t length = width_of(word);
-    const bool fits = used == 0 || used + 1 + length <= width;
-    if (used != 0) result += fits ? " " : "\n" + std::string(indent, ' ');
-    result += word;
-    used = fits && used != 0 ? used + 1 + length : length;
-  }
-  return result;
-}
 
 nlohmann::ordered_json json_of(const Value& value) {
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return *integer;
@@ -109,9 +83,9 @@ void write_text(std::ostream& out, const Table& table, bool header, std::size_t 
   const bool folds = width >= begin + narrowest_fold && !layout.is_number[last];
   const auto write_line = [&](auto&& text_of) {
     std::string line;
-    for (std::size_t c = 0; c < last; ++c) line += padded(text_of(c), layout.width[c], layout.is_number[c]) + "  ";
-    const std::string text = padded(text_of(last), layout.width[last], layout.is_number[last]);
-    line += folds && begin + width_of(text_of(last)) > width ? folded(text, width - begin, begin) : text;
+    for (std::size_t c = 0; c < last; ++c) line += filled(text_of(c), layout.width[c], layout.is_number[c]) + "  ";
+    const std::string text = filled(text_of(last), layout.width[last], layout.is_number[last]);
+    line += folds && begin + shown_width(text_of(last)) > width ? folded(text, width - begin, begin) : text;
     line.erase(line.find_last_not_of(' ') + 1);
     out << line << '\n';
   };

@@ -6,7 +6,7 @@
 
 #include <regex>
 
-#include "commands/fit_text.hpp"
+#include "report/fit_text.hpp"
 #include "facts.hpp"
 
 namespace rouleau::campaign {

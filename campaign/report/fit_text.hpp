@@ -17,4 +17,8 @@ namespace rouleau::campaign {
 /// Filled up with blanks to the width, behind the text or before it.
 [[nodiscard]] std::string filled(const std::string& text, std::size_t width, bool to_the_right = false);
 
+/// Broken at blanks into lines of at most so many characters, all but the first behind `indent` blanks; a longer word
+/// has a line of its own.
+[[nodiscard]] std::string folded(const std::string& text, std::size_t width, std::size_t indent = 0);
+
 }  // namespace rouleau::campaign

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cutting and filling by characters of UTF-8.
-#include "commands/fit_text.hpp"
+// Cutting, filling and folding by characters of UTF-8.
+#include "report/fit_text.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 namespace rouleau::campaign {
 
@@ -46,6 +47,20 @@ std::string fitted(std::string_view text, std::size_t width) {
 std::string filled(const std::string& text, std::size_t width, bool to_the_right) {
   const std::string blanks(width - std::min(width, shown_width(text)), ' ');
   return to_the_right ? blanks + text : text + blanks;
+}
+
+std::string folded(const std::string& text, std::size_t width, std::size_t indent) {
+  std::istringstream words(text);
+  std::string result, word;
+  std::size_t used = 0;
+  while (words >> word) {
+    const std::size_t length = shown_width(word);
+    const bool fits = used == 0 || used + 1 + length <= width;
+    if (used != 0) result += fits ? " " : "\n" + std::string(indent, ' ');
+    result += word;
+    used = fits && used != 0 ? used + 1 + length : length;
+  }
+  return result;
 }
 
 }  // namespace rouleau::campaign
