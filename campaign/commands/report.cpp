@@ -29,7 +29,8 @@ struct ReportWish {
 
 void describe(po::options_description& options) {
   auto add = options.add_options();
-  add("output,o", po::value<std::string>()->value_name("FILE"), "the file (default: report.html in the campaign)");
+  add("output,o", po::value<std::string>()->value_name("FILE"),
+      "the file, FILE.html (default: report.html in the campaign)");
   add("watch", po::value<std::string>()->implicit_value("60")->value_name("SECONDS"),
       "write it anew so often (60) until all points are through or Ctrl-C");
   add("figures", po::value<std::string>()->value_name("pdf|svg"),
@@ -42,6 +43,9 @@ ReportWish wish_of(const CommandLine& line) {
   wish.campaign = line.directory;
   wish.file =
       line.has("output") ? std::filesystem::path(line.get<std::string>("output")) : line.directory / "report.html";
+  // A slip of the hand (-o campaign.db) must not write over what is no report.
+  if (wish.file.extension() != ".html" && wish.file.extension() != ".htm")
+    fail(Exit::usage, "rouleau report: -o {}: the name of a report ends in .html", wish.file.string());
   if (line.has("figures")) {
     const auto& format = line.get<std::string>("figures");
     if (format != "pdf" && format != "svg")

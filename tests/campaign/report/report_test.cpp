@@ -154,6 +154,18 @@ TEST(Report, NeedsGnuplotForFiguresOnly) {
   EXPECT_GE(pictures_in(page), 4U);  // cells and slices are drawn without it
 }
 
+TEST(ReportFile, IsNeverWhatIsNoReport) {
+  const CampaignProgram program(REAL_SOLVER_PROGRAM);
+  set_content(program.study(), small_study("0.008"));
+  ASSERT_EQ(program.init().status, 0);
+  for (const char* name : {"c/campaign.db", "c/study.ini", "c/report"}) {
+    const Capture report = program.rouleau({"report", "c", "-o", name});
+    EXPECT_EQ(report.status, 2) << name;
+    EXPECT_THAT(report.err, HasSubstr("ends in .html")) << name;
+  }
+  EXPECT_EQ(program.rouleau({"status", "c"}).status, 0) << "the database is whole";
+}
+
 TEST(Report, LeavesFiguresWithWhatTheyAreMadeOf) {
   const CampaignProgram& program = finished();
   const Capture report =
