@@ -21,7 +21,7 @@ void capsule_kernels(Suite& suite) {
   }
   const auto [lowest, highest] = std::minmax_element(D.begin(), D.end());
   suite.check("largest D / smallest D - 1", *highest / *lowest - 1, between(0, 0.05),
-              "a few percent at a of 8 to 10 dx (Krueger et al. 2011)");
+              "the width acts as a changed radius (Krueger et al. 2011): a few percent at a of 8 dx");
 }
 
 }  // namespace rouleau::validation

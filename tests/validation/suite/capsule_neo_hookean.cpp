@@ -27,7 +27,9 @@ constexpr Published published[] = {
     {0.05, (0.2625 + 0.277 + 0.2626) / 3, 0.53, 0.53},
     {0.1, (0.385 + 0.392 + 0.3815) / 3, 0.43, 0.44},
 };
-constexpr double share = 0.05;  // of D, at a of 8 to 10 dx and more: what the authors scatter
+/// Share of D that we may be off, with the kernel's hydrodynamic radius in the capillary number: 2 % where the radius
+/// is resolved, what the authors scatter on a coarse lattice.
+double share(const CapsulePoint& capsule) { return capsule.nodes_per_radius() >= 8 ? 0.02 : 0.05; }
 
 constexpr double angle_reading = 0.03;  // radians; angles were read from a figure
 
@@ -52,13 +54,14 @@ void capsule_neo_hookean(Suite& suite) {
     const double Ca_E = capsule.capillary_number() / 3;
     const Published& expected = published_at(Ca_E);
     const std::string what = fmt::format("Ca_E {:.3g}, a = {:.3g} dx", Ca_E, capsule.nodes_per_radius());
-    suite.check("steady D, " + what, capsule.final_deformation(), near_relative(expected.D, share), authors);
+    suite.check("steady D, " + what, capsule.final_deformation(), near_relative(expected.D, share(capsule)), authors);
     suite.check("steady angle, rad, " + what, capsule.final_angle_rad(),
                 between(expected.angle_low - angle_reading, expected.angle_high + angle_reading), angles);
     if (expected.Ca_E != transient_Ca_E) continue;
     for (const Transient& at : transient)
       suite.check(fmt::format("D at gamma t = {}, {}", at.strain, what), capsule.deformation(at.strain),
-                  between((1 - share) * at.low, (1 + share) * at.high), "Ramanujan, Pozrikidis 1998; Huet, Wachs");
+                  between((1 - share(capsule)) * at.low, (1 + share(capsule)) * at.high),
+                  "Ramanujan, Pozrikidis 1998; Huet, Wachs");
   }
 }
 
