@@ -32,12 +32,14 @@ int run(const RunOptions& options, int* argc, char*** argv) {
   catch_stop_signals();
   const MpiSession session(argc, argv);
   const Communicator comm;
-  try {
-    return static_cast<int>(run_attempt(options, comm, posix_file_system()));
-  } catch (const Error& error) {  // all ranks throw alike
-    if (comm.is_root()) print_error(error.what());
-    return static_cast<int>(error.code());
-  }
+  return comm.or_end_all([&] {
+    try {
+      return static_cast<int>(run_attempt(options, comm, posix_file_system()));
+    } catch (const Error& error) {  // all ranks throw alike
+      if (comm.is_root()) print_error(error.what());
+      return static_cast<int>(error.code());
+    }
+  });
 }
 
 int answer(const CommandLine& line) {

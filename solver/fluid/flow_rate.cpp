@@ -163,8 +163,11 @@ SpeedCheck check_speed(const Fluid<Real>& fluid, double limit) {
         const auto node = node_speed<Real>(f, x);
         if (is_sound(node, limit_squared))
           largest = std::max(largest, node.square);
-        else if (!check.first_bad)
+        else if (!check.first_bad) {
           check.first_bad = {fluid.block.begin[0] + x, fluid.block.begin[1] + j, fluid.block.begin[2] + k};
+          check.bad_speed = std::sqrt(static_cast<double>(node.square));
+          check.bad_rho = 1 + static_cast<double>(node.rho_1);
+        }
       }
     }
   for (int lane = 0; lane < lanes<Real>; ++lane) largest = std::max<Real>(largest, largest_in_lanes[lane]);

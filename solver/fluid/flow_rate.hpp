@@ -31,8 +31,9 @@ inline double mean_velocity(std::int64_t total_momentum, std::ptrdiff_t nodes, d
 }
 
 struct SpeedCheck {
-  double max_speed = 0;           ///< over the nodes that are not bad
-  std::optional<Int3> first_bad;  ///< global coordinates; the first in the order z, y, x of the block
+  double max_speed = 0;               ///< over the nodes that are not bad
+  std::optional<Int3> first_bad;      ///< global coordinates; the first in the order z, y, x of the block
+  double bad_speed = 0, bad_rho = 0;  ///< of first_bad
 };
 
 /// Speed |sum c f| / rho of the owned nodes (the half force of a step left out), in the precision of the populations. A

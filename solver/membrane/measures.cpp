@@ -2,6 +2,8 @@
 // Shape measures of a cell: where it is, how it is stretched, how it lies.
 #include "membrane/measures.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
@@ -54,6 +56,11 @@ Vec3 centre_velocity(const VolumeMoments& m) {
 }
 
 }  // namespace
+
+std::string place_of(const Cells& cells, std::size_t cell) {
+  const Vec3 mean = vertex_mean(cells.X, cells.ranges[cell]);
+  return fmt::format("at ({:.4g}, {:.4g}, {:.4g}) node spacings", mean[0], mean[1], mean[2]);
+}
 
 Vec3 vertex_mean(const VectorArray& values, const CellRange& range) {
   const auto mean = [&](const Array<double>& component) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 
 #include "membrane/cells.hpp"
 
@@ -10,6 +11,9 @@ namespace rouleau {
 
 /// Mean of a vector over a cell's vertices, summed in a fixed order.   [Lehmann2020] Eq. 17
 Vec3 vertex_mean(const VectorArray& values, const CellRange& range);
+
+/// "at (x, y, z) node spacings", the mean of a cell's vertices, for a message.
+std::string place_of(const Cells& cells, std::size_t cell);
 
 /// Centre of the enclosed volume, by the divergence theorem.
 Vec3 centre_of_mass(const Cells& cells, std::size_t cell);

@@ -4,20 +4,29 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <string>
 
-#include "base/error.hpp"
+#include "base/read_error.hpp"
 
 namespace rouleau {
 namespace {
 
 constexpr std::uintmax_t largest_file_bytes = std::uintmax_t{1} << 30;
 
+[[noreturn]] void cannot_open(const std::filesystem::path& path, int error) {
+  fail(exit_of_read(error),
+       "{}: the mesh file cannot be opened: {} (errno {}). Check its permissions and the file system.", path.string(),
+       std::strerror(error), error);
+}
+
 std::string read_bytes(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) {
+    if (error && exit_of_read(error.value()) == Exit::io) cannot_open(path, error.value());
     fail(Exit::bad_input, "{}: no such mesh file, or not a regular file. Check the path in the run file.",
          path.string());
   }
@@ -28,7 +37,7 @@ std::string read_bytes(const std::filesystem::path& path) {
          largest_file_bytes);
   }
   std::ifstream file(path, std::ios::binary);
-  if (!file) fail(Exit::bad_input, "{}: cannot be opened for reading. Check its permissions.", path.string());
+  if (!file) cannot_open(path, errno);
   std::string bytes(size, '\0');
   file.read(bytes.data(), static_cast<std::streamsize>(size));
   if (static_cast<std::uintmax_t>(file.gcount()) != size) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "membrane/measures.hpp"
 #include "membrane/ordered_sum.hpp"
 #include "membrane/v3.hpp"
 
@@ -92,8 +93,8 @@ double VolumeShift::restore_cell(Cells& cells, std::size_t cell) {
   const double error = V / range.volume_0 - 1;
   if (!(std::abs(error) <= largest_volume_error)) {
     fail(Exit::physics,
-         "cell {}: its volume is {} of the wanted one; at most {} off can be restored. Try a smaller time step.", cell,
-         V / range.volume_0, largest_volume_error);
+         "cell {} {}: its volume is {} of the wanted one; at most {} off can be restored. Try a smaller time step",
+         cell, place_of(cells, cell), V / range.volume_0, largest_volume_error);
   }
 
   const V3s X(cells.X);
@@ -110,8 +111,9 @@ double VolumeShift::restore_cell(Cells& cells, std::size_t cell) {
   }
   if (!(std::abs(left) <= volume_tolerance)) {
     fail(Exit::physics,
-         "cell {}: its volume could not be restored from {} of the wanted one; the mesh has lost its shape.", cell,
-         V / range.volume_0);
+         "cell {} {}: its volume could not be restored from {} of the wanted one; the mesh has lost its shape. Try a "
+         "smaller time step",
+         cell, place_of(cells, cell), V / range.volume_0);
   }
   return std::abs(error);
 }

@@ -3,6 +3,7 @@
 #include "parallel/communicator.hpp"
 
 #include <climits>
+#include <cstdio>
 #include <optional>
 
 #include "base/error.hpp"
@@ -77,6 +78,18 @@ void Communicator::all_agree(const std::function<void()>& work) const {
   std::string message = rank_ == failing ? error->what() : std::string(static_cast<std::size_t>(length), ' ');
   MPI_Bcast(message.data(), length, MPI_CHAR, failing, comm_);
   throw Error(static_cast<Exit>(code), message);
+}
+
+int Communicator::or_end_all(const std::function<int()>& work) const {
+  try {
+    return work();
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "rouleau-solver: rank {}: {}. All ranks end here; start the run again.\n", rank_, error.what());
+    std::fflush(stderr);
+    const int code = static_cast<int>(Exit::internal);
+    MPI_Abort(comm_, code);
+    return code;
+  }
 }
 
 void Communicator::on_root(const std::function<void()>& work) const {

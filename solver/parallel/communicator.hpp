@@ -42,6 +42,9 @@ class Communicator {
   void all_agree(const std::function<void()>& work) const;
   /// Runs `work` on rank 0 alone; its Error becomes everybody's.
   void on_root(const std::function<void()>& work) const;
+  /// Runs a rank's whole work. An exception that gets out of it is this rank's alone (no memory left, say), and the
+  /// others may wait for this rank in a collective call: prints it, and ends all ranks with Exit::internal.
+  [[nodiscard]] int or_end_all(const std::function<int()>& work) const;
 
  private:
   MPI_Comm comm_;

@@ -3,14 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <string_view>
 
 #include "run/conversion_table.hpp"
 #include "run/metadata.hpp"
 #include "run/run_loop.hpp"
 #include "run/version.hpp"
 #include "storage/files.hpp"
+#include "storage/past_checkpoint.hpp"
 #include "storage/resume.hpp"
+#include "storage/unfinished.hpp"
 
 namespace rouleau {
 
@@ -46,9 +50,10 @@ class AttemptRun {
   }
 
  private:
-  /// A newer attempt takes unfinished files away, which looks like a failure of the disk; the fence tells. Collective.
+  /// A newer attempt takes unfinished files away and cuts the log back, which looks like a failure of the disk or like
+  /// bad input; the fence tells. Collective.
   Error end_of(const Error& error) const {
-    if (error.code() != Exit::io) return error;
+    if (error.code() == Exit::superseded) return error;
     try {
       comm_.on_root([&] {
         if (attempt_) attempt_->fence();
@@ -62,6 +67,7 @@ class AttemptRun {
   Outcome run_to_the_end() {
     comm_.all_agree([&] { setup_.emplace(set_up(options_.run_file, files_)); });
     const Setup& setup = *setup_;
+    require_same_everywhere(setup.run);
     record_.end_step = setup.lattice.steps;
     comm_.on_root([&] { claim(); });
     if (comm_.is_root() && !options_.quiet) print_set_up();
@@ -92,6 +98,25 @@ class AttemptRun {
     }
   }
 
+  /// Each rank reads the files itself, while somebody may be changing them; ranks that differ would wait for each other
+  /// for ever. Collective.
+  void require_same_everywhere(const RunFile& run) const {
+    std::string own;
+    for (const ParameterValue& v : run.values) own += fmt::format("{} = {}\n", v.name, v.identity_value);
+    std::string roots = own;
+    comm_.broadcast(roots);
+    comm_.all_agree([&] {
+      if (own == roots) return;
+      const auto same = std::mismatch(own.begin(), own.end(), roots.begin(), roots.end()).first - own.begin();
+      const std::size_t begin = own.substr(0, static_cast<std::size_t>(same)).rfind('\n') + 1;
+      const auto line = [&](const std::string& text) { return text.substr(begin, text.find('\n', begin) - begin); };
+      fail(Exit::io,
+           "{}: rank {} read {}, rank 0 {}. The file was changed while the run started, or this node sees an old one. "
+           "Start the run again.",
+           run.path.string(), comm_.rank(), line(own), line(roots));
+    });
+  }
+
   void claim() {
     attempt_.emplace(options_.attempt ? Attempt::join(files_, directory_, *options_.attempt, options_.token)
                                       : Attempt::claim(files_, directory_));
@@ -116,7 +141,10 @@ class AttemptRun {
       for (const RejectedCheckpoint& checkpoint : resumed.rejected)
         fmt::print(stderr, "checkpoint {} is rejected: {}\n", checkpoint.file, checkpoint.why);
     if (!resumed.metadata) {
-      if (resumed.rejected.empty()) return std::nullopt;
+      if (resumed.rejected.empty()) {
+        comm_.on_root([&] { require_nothing_to_lose(); });
+        return std::nullopt;
+      }
       fail(Exit::bad_input,
            "{}: none of its {} checkpoints can be continued (see above). Move them and samples.csv away to start anew "
            "at step 0.",
@@ -131,14 +159,30 @@ class AttemptRun {
     return resumed.metadata->step;
   }
 
+  /// Starting at step 0 puts an empty log in the place of samples.csv. Samples that a checkpoint counted can be in it
+  /// although none is there: a link to a volume that is not mounted looks like a folder that was never made.
+  void require_nothing_to_lose() const {
+    if (!log_->has_samples()) return;
+    const auto told = past_checkpoint(files_, directory_);
+    if (!told) return;
+    fail(Exit::io,
+         "{}: holds no checkpoint, but {}, and samples.csv has samples that it counted. Bring the folder back (is its "
+         "volume mounted?), then start the run again; if it is lost, move samples.csv away to start anew at step 0.",
+         (directory_ / "checkpoints").string(), *told);
+  }
+
   /// A sound checkpoint of another run would be deleted with the next one of this run, as are all that were rejected.
+  /// It is copied, not renamed: by the time that an attempt thaws, a newer one may have its own file of that name.
   void set_foreign_aside(const std::vector<RejectedCheckpoint>& rejected) {
     for (const RejectedCheckpoint& checkpoint : rejected) {
       if (!checkpoint.foreign) continue;
-      attempt_->fence();
       const std::filesystem::path file = directory_ / "checkpoints" / checkpoint.file;
-      rename_synced(files_, file, file.string() + ".foreign");
-      fmt::print(stderr, "checkpoint {} belongs to another run; it is kept as {}.foreign\n", checkpoint.file,
+      const File original = File::read(files_, file);
+      const auto fill = [&](File& copy) {
+        read_blocks(original, file_size(files_, file), [&](std::string_view block) { copy.write(block); });
+      };
+      write_fenced(files_, file.string() + ".foreign", fill, attempt_->number(), [this] { attempt_->fence(); });
+      fmt::print(stderr, "checkpoint {} belongs to another run; a copy is kept as {}.foreign\n", checkpoint.file,
                  checkpoint.file);
     }
   }

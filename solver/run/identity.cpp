@@ -9,7 +9,10 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
-#include <stdexcept>
+#include <new>
+#include <system_error>
+
+#include "base/read_error.hpp"
 
 namespace rouleau {
 namespace {
@@ -19,19 +22,20 @@ std::string hex(const XXH128_hash_t& hash) { return fmt::format("{:016x}{:016x}"
 }  // namespace
 
 std::string content_digest(const std::filesystem::path& file) {
-  if (std::filesystem::is_directory(file)) throw std::runtime_error("is a directory");
+  std::error_code unknown;
+  const std::filesystem::file_status status = std::filesystem::status(file, unknown);
+  if (is_directory(status)) throw Error(Exit::bad_input, "is a directory");
   // A device or a pipe may have no end.
-  if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
-    throw std::runtime_error("is not a regular file");
+  if (exists(status) && !is_regular_file(status)) throw Error(Exit::bad_input, "is not a regular file");
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), std::fclose);
-  if (!stream) throw std::runtime_error(std::strerror(errno));
+  if (!stream) throw Error(exit_of_read(errno), std::strerror(errno));
   const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(), XXH3_freeState);
-  if (!state) throw std::runtime_error("out of memory");
+  if (!state) throw std::bad_alloc();
   XXH3_128bits_reset(state.get());
   std::vector<char> buffer(1 << 20);
   while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), stream.get()))
     XXH3_128bits_update(state.get(), buffer.data(), n);
-  if (std::ferror(stream.get())) throw std::runtime_error(std::strerror(errno));
+  if (std::ferror(stream.get())) throw Error(exit_of_read(errno), std::strerror(errno));
   return hex(XXH3_128bits_digest(state.get()));
 }
 

@@ -10,7 +10,8 @@
 
 namespace rouleau {
 
-/// XXH3-128 of a file's bytes as 32 hex digits; throws std::runtime_error with the reason if it cannot be read.
+/// XXH3-128 of a file's bytes as 32 hex digits; throws  Error with the bare reason if it cannot be
+/// read: bad_input if it is not there or no file, else io.
 std::string content_digest(const std::filesystem::path& file);
 
 /// Digest over the identity parameters that differ from their defaults: XXH3-128 of the lines `name=identity_value\n`,

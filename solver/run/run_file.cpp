@@ -9,10 +9,10 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <stdexcept>
+#include <system_error>
 #include <utility>
 
-#include "base/error.hpp"
+#include "base/read_error.hpp"
 #include "run/identity.hpp"
 #include "run/ini.hpp"
 #include "run/parameter_table.hpp"
@@ -270,8 +270,8 @@ class Reader {
   [[nodiscard]] std::string digest_of(const Slot& slot) const {
     try {
       return "xxh3:" + content_digest(slot.typed.file);
-    } catch (const std::runtime_error& e) {
-      fail(Exit::bad_input, "{}: {} = {} cannot be read: {}; paths are relative to the run file's folder",
+    } catch (const Error& e) {
+      fail(e.code(), "{}: {} = {} cannot be read: {}; paths are relative to the run file's folder",
            at(slot.entry->line), slot.parameter->name, slot.entry->value, e.what());
     }
   }
@@ -304,15 +304,17 @@ RunFile parse_run_file(std::string_view text, const std::filesystem::path& path)
 }
 
 RunFile read_run_file(const std::filesystem::path& path) {
-  const auto unreadable = [&](const char* why) {
-    fail(Exit::bad_input, "{}: the run file cannot be read: {}", path.string(), why);
+  const auto unreadable = [&](Exit code, const char* why) {
+    fail(code, "{}: the run file cannot be read: {}", path.string(), why);
   };
-  if (std::filesystem::is_directory(path)) unreadable("it is a directory; name the run.ini in it");
+  std::error_code unknown;
+  if (std::filesystem::is_directory(path, unknown))
+    unreadable(Exit::bad_input, "it is a directory; name the run.ini in it");
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(path.c_str(), "rb"), std::fclose);
-  if (!stream) unreadable(std::strerror(errno));
+  if (!stream) unreadable(exit_of_read(errno), std::strerror(errno));
   std::string text(largest_file + 1, '\0');  // one byte more than allowed shows that there are more
   text.resize(std::fread(text.data(), 1, text.size(), stream.get()));
-  if (std::ferror(stream.get())) unreadable(std::strerror(errno));
+  if (std::ferror(stream.get())) unreadable(exit_of_read(errno), std::strerror(errno));
   return parse_run_file(text, path);
 }
 

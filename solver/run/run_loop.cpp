@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "run/metadata.hpp"
+#include "run/safe_combinations.hpp"
 
 namespace rouleau {
 
@@ -78,8 +80,11 @@ Outcome RunLoop::run() try {
   }
 } catch (const Error& error) {
   if (error.code() != Exit::physics) throw;
-  throw Error(Exit::physics,
-              fmt::format("step {}: {}; {}.", parts_.simulation.steps_done(), error.what(), last_checkpoint()));
+  std::string what = error.what();
+  what.erase(what.find_last_not_of('.') + 1);
+  const LatticeParameters& lattice = parts_.setup.lattice;
+  what += kernel_remedy(parts_.setup.run.parameters, std::max(lattice.moduli.kappa_A, lattice.moduli.kappa_S));
+  throw Error(Exit::physics, fmt::format("step {}: {}; {}.", parts_.simulation.steps_done(), what, last_checkpoint()));
 }
 
 void RunLoop::sample() {

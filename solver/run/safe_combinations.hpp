@@ -22,6 +22,10 @@ TrialRuns trial_runs(KernelWidth kernel, Advection advection);
 /// empty if none did.
 std::string choices_that_held(double stiffness);
 
+/// A sentence, after a full stop, that names the kernels for a membrane as stiff as this; empty if the run has one of
+/// them, if there is none, or without cells.
+std::string kernel_remedy(const RunParameters& parameters, double stiffness);
+
 /// What to do about a mesh that folded, collapsed or lost its area: the choices of this run that trial runs were lost
 /// with, or a smaller time step.
 std::string mesh_remedy(const RunParameters& parameters);

@@ -6,14 +6,16 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
+#include <thread>
 #include <utility>
-
-#include "base/error.hpp"
 
 namespace rouleau {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr std::chrono::milliseconds longest_pause(400);  // between two attempts to read the same bytes
 
 std::string remedy(FileSystem& files, const fs::path& path, int error, std::uint64_t needed) {
   switch (error) {
@@ -99,14 +101,20 @@ void File::write_at(std::uint64_t offset, std::string_view bytes) {
   }
 }
 
-std::size_t File::read_at(std::uint64_t offset, void* bytes, std::size_t count) const {
+std::size_t File::read_at(std::uint64_t offset, void* bytes, std::size_t count, Exit lost) const {
   std::size_t have = 0;
+  std::chrono::milliseconds pause(100);
   while (have < count) {
     const ssize_t done = files_->pread(file_, static_cast<char*>(bytes) + have, count - have, offset + have);
     if (done < 0 && errno == EINTR) continue;
-    // A medium that has lost the bytes will not find them later: the file is damaged, as if they had changed.
-    if (done < 0 && errno == EIO) {
-      fail(Exit::bad_input, "{}: damaged: the medium cannot read {} bytes at {}", path_.string(), count, offset);
+    if (done < 0 && errno == EIO) {  // lost for good, or a server of a network file system that was away
+      if (pause > longest_pause) {
+        fail(lost, "{}: the medium cannot read {} bytes at {} (errno {}). Check it, then start the run again.",
+             path_.string(), count, offset, EIO);
+      }
+      std::this_thread::sleep_for(pause);
+      pause *= 2;
+      continue;
     }
     if (done < 0) fail_call(*files_, path_, "pread", errno);
     if (done == 0) break;
@@ -153,6 +161,16 @@ bool read_file_if_there(FileSystem& files, const fs::path& path, std::string& co
   if (!exists(files, path)) return false;
   content = read_file(files, path);
   return true;
+}
+
+void read_blocks(const File& file, std::uint64_t bytes, const std::function<void(std::string_view)>& take) {
+  constexpr std::uint64_t most = 1U << 20U;
+  std::string block(std::min(bytes, most), '\0');
+  for (std::uint64_t begin = 0; begin < bytes; begin += block.size()) {
+    const std::size_t count = file.read_at(begin, block.data(), std::min<std::uint64_t>(block.size(), bytes - begin));
+    take(std::string_view(block).substr(0, count));
+    if (count < block.size()) return;
+  }
 }
 
 std::uint64_t file_size(FileSystem& files, const fs::path& path) {

@@ -5,10 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/error.hpp"
 #include "storage/file_system.hpp"
 
 namespace rouleau {
@@ -32,8 +34,9 @@ class File {
 
   void write(std::string_view bytes);  ///< one system call, more only after a short write
   void write_at(std::uint64_t offset, std::string_view bytes);
-  /// Returns less than `count` only at the end. Throws Error(bad_input) if the medium has lost the bytes (EIO).
-  [[nodiscard]] std::size_t read_at(std::uint64_t offset, void* bytes, std::size_t count) const;
+  /// Returns less than `count` only at the end. Bytes that the medium cannot read (EIO) are asked for again, for most
+  /// of a second; then they are an Error with the code `lost`: bad_input where another file can take this one's place.
+  [[nodiscard]] std::size_t read_at(std::uint64_t offset, void* bytes, std::size_t count, Exit lost = Exit::io) const;
   void truncate(std::uint64_t length);
   void allocate(std::uint64_t length);  ///< reserves the blocks, so that later writes cannot find the disk full
   void sync();
@@ -49,6 +52,8 @@ class File {
 [[nodiscard]] std::string read_file(FileSystem& files, const std::filesystem::path& path);
 /// Same, but no value if the file does not exist.
 [[nodiscard]] bool read_file_if_there(FileSystem& files, const std::filesystem::path& path, std::string& content);
+/// Hands the first `bytes` of a file on, block by block; fewer if it is shorter.
+void read_blocks(const File& file, std::uint64_t bytes, const std::function<void(std::string_view)>& take);
 [[nodiscard]] std::uint64_t file_size(FileSystem& files, const std::filesystem::path& path);
 [[nodiscard]] bool exists(FileSystem& files, const std::filesystem::path& path);
 

@@ -77,7 +77,7 @@ haddr_t get_end_of_file(const H5FD_t* file, H5FD_mem_t) { return mine(file)->end
 herr_t read_bytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t size, void* buffer) {
   const DriverFile& source = *mine(file);
   const bool done = keep_failure(*source.ground, [&] {
-    const std::size_t have = source.file.read_at(address, buffer, size);
+    const std::size_t have = source.file.read_at(address, buffer, size, Exit::bad_input);
     // The library reads ahead of what it has written yet, and expects zeros there.
     std::memset(static_cast<char*>(buffer) + have, 0, size - have);
   });

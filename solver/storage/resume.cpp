@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <string_view>
 
 #include "base/error.hpp"
 #include "storage/checkpoint_file.hpp"
@@ -138,6 +139,14 @@ Attempted try_to_load(FileSystem& files, const fs::path& path, const Communicato
   return attempted;
 }
 
+/// What was read and is wrong stays so; what the medium cannot read may come back.
+void require_readable(FileSystem& files, const fs::path& directory, const std::vector<RejectedCheckpoint>& rejected) {
+  for (const RejectedCheckpoint& checkpoint : rejected) {
+    const fs::path path = directory / checkpoint.file;
+    read_blocks(File::read(files, path), file_size(files, path), [](std::string_view) {});
+  }
+}
+
 }  // namespace
 
 std::vector<fs::path> find_checkpoints(FileSystem& files, const fs::path& directory) {
@@ -181,6 +190,7 @@ Resumed load_newest(FileSystem& files, const fs::path& directory, const Communic
     }
     resumed.rejected.push_back(std::move(attempted.rejected));
   }
+  comm.on_root([&] { require_readable(files, directory, resumed.rejected); });
   // Starting anew would in time delete a checkpoint that nothing is wrong with.
   if (!intact.empty()) {
     throw Error(Exit::bad_input, intact);

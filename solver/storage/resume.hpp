@@ -50,7 +50,8 @@ struct Resumed {
 /// other items, another run's identity, `obstacle`) are rejected with a reason and the next older generation is tried.
 /// leaves  `state` unspecified if nothing could be loaded: the caller starts anew or stops
 /// throws  Error(bad_input) if nothing could be loaded although an intact checkpoint is there: a parameter that has
-///         changed is named with its old and new value; Error(io) if a file cannot be read for a reason that may pass
+///         changed is named with its old and new value; Error(io) if a file cannot be read for a reason that may pass,
+///         or if the medium cannot read one (EIO) and no other can be loaded
 Resumed load_newest(FileSystem& files, const std::filesystem::path& directory, const Communicator& comm,
                     const Expected& expected, PersistentState& state);
 

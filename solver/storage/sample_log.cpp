@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t check_digits = 16;
+constexpr std::size_t longest_line = 1U << 16U;  // bytes; the header has some 500
 
 std::string line_check(std::string_view line) { return hex(XXH64(line.data(), line.size(), 0)); }
 
@@ -28,6 +29,13 @@ std::string header_line(const std::vector<std::string>& columns) {
   std::string line;
   for (const std::string& column : columns) line += column + ",";
   return line + "check\n";
+}
+
+/// From `begin` on as many bytes as a line may have, none from `end` on.
+std::string part_of(const File& file, std::uint64_t begin, std::uint64_t end) {
+  std::string part(std::min<std::uint64_t>(longest_line, end - begin), '\0');
+  part.resize(file.read_at(begin, part.data(), part.size()));
+  return part;
 }
 
 std::vector<std::string_view> split(std::string_view line) {
@@ -73,20 +81,23 @@ bool sound_line(std::string_view line, std::size_t fields) {
 
 }  // namespace
 
-/// A log under way: its file, its length, the hash of all its bytes and the last sample in it.
-struct SampleLog::Open {
-  explicit Open(File log) : file(std::move(log)), hash(XXH64_createState(), XXH64_freeState) {
-    XXH64_reset(hash.get(), 0);
-  }
-  void count(std::string_view bytes) {
+/// How many bytes of a log there are, and their hash.
+struct SampleLog::Counted {
+  Counted() : hash(XXH64_createState(), XXH64_freeState) { XXH64_reset(hash.get(), 0); }
+  void add(std::string_view bytes) {
     length += bytes.size();
     XXH64_update(hash.get(), bytes.data(), bytes.size());
   }
   [[nodiscard]] std::string digest() const { return hex(XXH64_digest(hash.get())); }
 
-  File file;
   std::uint64_t length = 0;
   std::unique_ptr<XXH64_state_t, decltype(&XXH64_freeState)> hash;
+};
+
+/// A log under way: its file, what it holds and the last sample in it.
+struct SampleLog::Open {
+  File file;
+  Counted counted;
   std::int64_t step = -1, cell = -1;
 };
 
@@ -107,20 +118,31 @@ SampleLog::~SampleLog() = default;
 SampleLog::SampleLog(SampleLog&&) noexcept = default;
 SampleLog& SampleLog::operator=(SampleLog&&) noexcept = default;
 
-void SampleLog::start() { replace(header_line(columns_)); }
+void SampleLog::start() {
+  replace([this](const auto& take) { take(header_line(columns_)); });
+}
+
+bool SampleLog::has_samples() const {
+  if (!exists(*files_, path_)) return false;
+  const std::uint64_t length = file_size(*files_, path_);
+  const std::size_t header_end = part_of(File::read(*files_, path_), 0, length).find('\n');
+  return header_end == std::string::npos ? length > 0 : length > header_end + 1;
+}
 
 std::optional<std::string> SampleLog::obstacle(const SampleLogPosition& position) const {
-  std::string content;
-  if (!read_file_if_there(*files_, path_, content)) return fmt::format("{} is missing", path_.string());
-  if (content.size() < position.bytes) {
-    return fmt::format("{} has {} bytes, the checkpoint had counted {}", path_.string(), content.size(),
-                       position.bytes);
+  if (!exists(*files_, path_)) return fmt::format("{} is missing", path_.string());
+  const std::uint64_t length = file_size(*files_, path_);
+  if (length < position.bytes) {
+    return fmt::format("{} has {} bytes, the checkpoint had counted {}", path_.string(), length, position.bytes);
   }
-  if (hex(XXH64(content.data(), position.bytes, 0)) != position.hash) {
+  const File file = File::read(*files_, path_);
+  Counted counted;
+  read_blocks(file, position.bytes, [&](std::string_view block) { counted.add(block); });
+  if (counted.digest() != position.hash) {
     return fmt::format("the first {} bytes of {} are not those that the checkpoint had counted", position.bytes,
                        path_.string());
   }
-  if (columns_in(std::string_view(content).substr(0, position.bytes), columns_).empty()) {
+  if (columns_in(part_of(file, 0, position.bytes), columns_).empty()) {
     return fmt::format("{} has other columns than this solver writes", path_.string());
   }
   return {};
@@ -130,18 +152,27 @@ void SampleLog::cut_back(const SampleLogPosition& position) {
   if (const auto why = obstacle(position)) {
     fail(Exit::bad_input, "{}; the samples cannot be continued exactly from this checkpoint", *why);
   }
-  replace(read_file(*files_, path_).substr(0, position.bytes));
+  const File before = File::read(*files_, path_);
+  replace([&](const auto& take) { read_blocks(before, position.bytes, take); });
 }
 
-void SampleLog::replace(const std::string& content) {
+void SampleLog::replace(const std::function<void(const std::function<void(std::string_view)>&)>& content) {
+  Counted counted;
   // A file of our own, never the one that an older attempt may have open: what that one still writes goes nowhere.
-  write_fenced(*files_, path_, content, attempt_, fence_);
-  open_ = std::make_unique<Open>(File::append(*files_, path_));
-  open_->count(content);
-  written_ = columns_in(content, columns_);
-  const std::size_t last = content.rfind('\n', content.size() - 2);
+  const auto fill = [&](File& file) {
+    content([&](std::string_view block) {
+      file.write(block);
+      counted.add(block);
+    });
+  };
+  write_fenced(*files_, path_, fill, attempt_, fence_);
+  open_ = std::make_unique<Open>(Open{File::append(*files_, path_), std::move(counted)});
+  const std::uint64_t length = open_->counted.length;
+  written_ = columns_in(part_of(open_->file, 0, length), columns_);
+  const std::string tail = part_of(open_->file, length - std::min<std::uint64_t>(length, longest_line), length);
+  const std::size_t last = tail.rfind('\n', tail.size() - 2);
   if (last == std::string::npos) return;
-  const std::vector<std::string_view> fields = split(std::string_view(content).substr(last + 1));
+  const std::vector<std::string_view> fields = split(std::string_view(tail).substr(last + 1));
   const auto number = [&](std::size_t column, std::int64_t& value) {
     const std::string_view field = column < fields.size() ? fields[column] : std::string_view();
     const auto result = std::from_chars(field.data(), field.data() + field.size(), value);
@@ -178,13 +209,13 @@ void SampleLog::append(std::span<const SampleRow> rows) {
   }
   fence_();
   const std::uint64_t found = file_size(*files_, path_);
-  if (found != open_->length) {
+  if (found != open_->counted.length) {
     fail(Exit::io,
          "{}: has {} bytes, this run left {}; another program writes to it. Stop that, then start the run again.",
-         path_.string(), found, open_->length);
+         path_.string(), found, open_->counted.length);
   }
   open_->file.write(batch);
-  open_->count(batch);
+  open_->counted.add(batch);
   open_->step = step;
   open_->cell = cell;
 }
@@ -192,7 +223,7 @@ void SampleLog::append(std::span<const SampleRow> rows) {
 SampleLogPosition SampleLog::sync() {
   require(open_ != nullptr, "SampleLog: sync before start or cut_back");
   open_->file.sync();
-  return {open_->length, open_->digest()};
+  return {open_->counted.length, open_->counted.digest()};
 }
 
 std::string format_sample(const SampleRow& row) {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -42,6 +43,9 @@ class SampleLog {
   /// A log that holds only its header, replacing any that is there: the start of a run at step 0.
   void start();
 
+  /// Whether the file holds more than its header.
+  [[nodiscard]] bool has_samples() const;
+
   /// Why a run cannot go on from `position`: the file is missing, shorter, differs before it, or has columns that are
   /// not among ours. A checkpoint with an obstacle must be rejected for an older one: its samples could not be
   /// continued exactly.
@@ -61,8 +65,10 @@ class SampleLog {
   SampleLogPosition sync();
 
  private:
+  struct Counted;
   struct Open;
-  void replace(const std::string& content);
+  /// Writes the log anew and opens it. `content` hands it on block by block.
+  void replace(const std::function<void(const std::function<void(std::string_view)>&)>& content);
   FileSystem* files_;
   std::filesystem::path path_;
   std::vector<std::string> columns_;

@@ -27,7 +27,7 @@ std::string seal_text(std::uint64_t length, std::uint64_t sum) {
 
 std::string read_seal(FileSystem& files, const fs::path& path) {
   std::string head(seal_bytes, '\0');
-  head.resize(File::read(files, path).read_at(0, head.data(), head.size()));
+  head.resize(File::read(files, path).read_at(0, head.data(), head.size(), Exit::bad_input));
   return head;
 }
 
@@ -50,7 +50,7 @@ std::uint64_t seal_part(FileSystem& files, const fs::path& path, std::uint64_t l
     const std::uint64_t begin = seal_bytes + chunk * chunk_bytes;
     if (begin >= length) return sum;
     const auto count = static_cast<std::size_t>(std::min(chunk_bytes, length - begin));
-    const std::size_t have = file.read_at(begin, buffer.data(), count);
+    const std::size_t have = file.read_at(begin, buffer.data(), count, Exit::bad_input);
     if (have != count) {
       fail(Exit::bad_input, "{}: ends at byte {}, {} expected", path.string(), begin + have, length);
     }

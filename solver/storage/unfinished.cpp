@@ -36,10 +36,16 @@ void remove_unfinished(FileSystem& files, const fs::path& directory, int attempt
 
 void write_fenced(FileSystem& files, const fs::path& path, std::string_view bytes, int attempt,
                   const std::function<void()>& fence) {
+  write_fenced(
+      files, path, [bytes](File& file) { file.write(bytes); }, attempt, fence);
+}
+
+void write_fenced(FileSystem& files, const fs::path& path, const std::function<void(File&)>& fill, int attempt,
+                  const std::function<void()>& fence) {
   const fs::path unfinished = path.parent_path() / unfinished_name(path.filename().string(), attempt);
   try {
     File file = File::overwrite(files, unfinished);
-    file.write(bytes);
+    fill(file);
     file.sync();
     file.close();
     fence();

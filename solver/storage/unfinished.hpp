@@ -26,5 +26,8 @@ void remove_unfinished(FileSystem& files, const std::filesystem::path& directory
 /// Error(superseded) if a newer attempt exists.
 void write_fenced(FileSystem& files, const std::filesystem::path& path, std::string_view bytes, int attempt,
                   const std::function<void()>& fence);
+/// Same, with what `fill` writes.
+void write_fenced(FileSystem& files, const std::filesystem::path& path, const std::function<void(File&)>& fill,
+                  int attempt, const std::function<void()>& fence);
 
 }  // namespace rouleau

@@ -20,6 +20,9 @@ class FileSystemDouble final : public FileSystem {
   /// errno of a named call ("fsync", "rename", ...), every time.
   std::string failing_call;
   int failing_errno = 0;
+  /// How many preads fail that are to fail; -1: every one.
+  int failing_preads = -1;
+  std::uint64_t bytes_read = 0;
   /// What free_space says, instead of the truth; 0: the truth.
   std::uint64_t claimed_space = 0;
   /// Pretends to reserve blocks.
@@ -49,8 +52,13 @@ class FileSystemDouble final : public FileSystem {
     return real_.pwrite(file, bytes, count, offset);
   }
   ssize_t pread(int file, void* bytes, std::size_t count, std::uint64_t offset) override {
-    if (dead() || failing_call == "pread") return lost();
-    return real_.pread(file, bytes, count, offset);
+    if (dead() || (failing_call == "pread" && failing_preads != 0)) {
+      if (failing_preads > 0) --failing_preads;
+      return lost();
+    }
+    const ssize_t done = real_.pread(file, bytes, count, offset);
+    if (done > 0) bytes_read += static_cast<std::uint64_t>(done);
+    return done;
   }
   int truncate(int file, std::uint64_t length) override {
     return refuse("truncate") ? lost() : real_.truncate(file, length);

@@ -181,7 +181,7 @@ TEST(Section6, FailedPhysicsIs70AndSaysWhenWhereAndWhatIsLeft) {
   const SmallRun undisturbed;
   undisturbed.finish();
   for (const auto& [bound, limit, relaxed, word] :
-       {std::array{"bounds.area_ratio_min", "1", "0.7", "cell 0: its area is"},
+       {std::array{"bounds.area_ratio_min", "1", "0.7", "its area is"},
         std::array{"bounds.inside_ratio_max", "1", "1.3", "the flagged nodes fill"}}) {
     SmallRun run;
     run.set_steps(20);
@@ -201,6 +201,20 @@ TEST(Section6, FailedPhysicsIs70AndSaysWhenWhereAndWhatIsLeft) {
   }
 }
 
+TEST(Section6, RanksThatReadDifferentRunFilesEndAlikeWith74) {
+  SmallRun run, changed;
+  changed.set_steps(80);
+  std::vector<std::string> words = launcher(2);
+  words.back() = "1";  // rank 0 on one file, rank 1 on the other: as if it had been changed while they started
+  words.insert(words.end(), {ROULEAU_SOLVER, run.path("run.ini").string(), "--quiet", ":", "-n", "1", ROULEAU_SOLVER,
+                             changed.path("run.ini").string(), "--quiet"});
+  // Far longer than such a run takes; ranks that differ would wait for ever.
+  const Finished finished = run_program(words, Interruption{.after_s = 100});
+  EXPECT_EQ(finished.code, 74) << finished.err;
+  for (const char* part : {"rank 1 read time.end_time_s = ", ", rank 0 time.end_time_s = ", "Start the run again"})
+    EXPECT_NE(finished.err.find(part), std::string::npos) << finished.err;
+}
+
 TEST(Section8, OlderAttemptStopsWith76AndWritesNothing) {
   SmallRun run;
   make_attempt(run, 1, "old");
@@ -213,6 +227,47 @@ TEST(Section8, OlderAttemptStopsWith76AndWritesNothing) {
   EXPECT_EQ(run.samples(), samples);
   EXPECT_EQ(run.run(1, {"--attempt", "2", "--token", "wrong"}).code, 76);
   EXPECT_EQ(run.run(1, {"--attempt", "2", "--token", "new"}).code, 0);
+}
+
+TEST(Section10, CheckpointsThatAreOutOfReachEndTheRunAndTheSamplesStay) {
+  const SmallRun undisturbed;
+  undisturbed.finish();
+  SmallRun run;
+  run.set_steps(20);
+  run.finish();
+  run.set_steps(40);
+  const std::string samples = run.samples();
+  const auto folder = run.path("checkpoints"), volume = run.path("volume");
+  std::filesystem::rename(folder, volume);
+  const auto expect_refused = [&](const char* what) {
+    const Finished finished = run.run();
+    EXPECT_EQ(finished.code, 74) << what << finished.err;
+    for (const char* word :
+         {"holds no checkpoint, but ", "progress.json tells of one of step 20", "start the run again"})
+      EXPECT_NE(finished.err.find(word), std::string::npos) << what << finished.err;
+    EXPECT_EQ(run.samples(), samples) << what;
+  };
+  std::filesystem::create_symlink(run.path("not_mounted"), folder);
+  expect_refused("a link to nowhere");
+  std::filesystem::remove(folder);
+  std::filesystem::create_directory(folder);
+  expect_refused("an empty place to mount on");
+  std::filesystem::remove(folder);
+  expect_refused("nothing");
+  // Back again, the run goes on as if it had never been away.
+  std::filesystem::create_symlink(volume, folder);
+  run.finish();
+  EXPECT_EQ(run.samples(), undisturbed.samples());
+}
+
+TEST(Section10, RunWhoseCheckpointsAndSamplesWereMovedAwayStartsAnew) {
+  SmallRun run;
+  run.finish();
+  const std::string samples = run.samples();
+  std::filesystem::rename(run.path("checkpoints"), run.path("lost"));
+  std::filesystem::rename(run.path("samples.csv"), run.path("old.csv"));
+  run.finish();
+  EXPECT_EQ(run.samples(), samples);
 }
 
 }  // namespace

@@ -6,8 +6,10 @@
 #include <signal.h>
 
 #include <chrono>
+#include <functional>
 #include <future>
 #include <map>
+#include <set>
 
 #include "crash/faults/busy_run.hpp"
 #include "crash/faults/plan.hpp"
@@ -67,30 +69,62 @@ void expect_same_files(const std::map<std::string, std::string>& before,
 }
 
 /// The calls between which an older attempt must be stopped by the fence: it has claimed, and has something left to
-/// finish that all attempts share. Behind them it makes `rest` calls.
+/// finish that all attempts share. Behind them it makes `rest` calls. Up to `resumed`, the log has been cut back.
 struct Span {
-  std::int64_t first = 0, last = 0, rest = 0;
+  std::int64_t first = 0, last = 0, rest = 0, resumed = 0;
+  std::vector<std::int64_t> renames;  ///< up to `resumed`
 };
 Span fenced_span(const std::vector<RecordedCall>& calls) {
   Span span;
   for (const RecordedCall& call : calls) {
-    if (call.name == "mkdir" && call.path.ends_with("/attempts/1")) span.first = call.number + 1;
-    if (call.name == "rename" && call.other.ends_with("/progress.json")) span.last = call.number;
+    if (call.name == "mkdir" && std::filesystem::path(call.path).parent_path().filename() == "attempts")
+      span.first = call.number + 1;
+    if (call.name != "rename") continue;
+    if (call.other.ends_with("/progress.json")) span.last = call.number;
+    if (span.resumed == 0) span.renames.push_back(call.number);
+    if (call.other.ends_with("/samples.csv")) span.resumed = call.number;
   }
-  EXPECT_LT(span.first, span.last);
+  EXPECT_LT(span.first, span.resumed);
+  EXPECT_LT(span.resumed, span.last);
   span.rest = static_cast<std::int64_t>(calls.size()) - span.last;
   return span;
 }
 
+/// What there is before the attempts that a test looks at.
+using Prepare = std::function<void(BusyRun&)>;
+
 struct Undisturbed {
-  explicit Undisturbed(int ranks) {
-    const BusyRun run;
+  explicit Undisturbed(
+      int ranks, const Prepare& prepare = [](BusyRun&) {}) {
+    BusyRun run;
+    prepare(run);
     span = fenced_span(recorded(run, ranks));
     end = run.fingerprint();
   }
   Span span;
   std::string end;
 };
+
+constexpr const char* foreign_name = "checkpoints/000000000032.h5";
+
+const std::string& foreign_checkpoint() {
+  static const std::string bytes = [] {
+    BusyRun other;
+    other.set("fluid.lambda", "4");
+    other.set_steps(32);
+    other.finish();
+    return content_of(other.path(foreign_name));
+  }();
+  return bytes;
+}
+
+/// A checkpoint of step 16, and one of another run that lies where this one will write its own at step 32.
+void leave_two_checkpoints(BusyRun& run) {
+  run.set_steps(16);
+  run.finish();
+  run.set_steps(48);
+  set_content(run.path(foreign_name), foreign_checkpoint());
+}
 
 void expect_superseded(Frozen& frozen, const Span& span) {
   const Finished older = frozen.thaw();
@@ -113,12 +147,14 @@ void expect_undisturbed_end(const BusyRun& run, const std::string& end) {
 void expect_older_stops_behind_a_finished_newer(int ranks, int sample) {
   const Undisturbed undisturbed(ranks);
   const Span& span = undisturbed.span;
+  int freezes = 0;
   for (const std::int64_t place : planned_places(span.last - span.first + 1, sample)) {
     const std::int64_t at = span.first + place - 1;
     SCOPED_TRACE(fmt::format("frozen at call {}, {} to {} are fenced", at, span.first, span.last));
     const BusyRun run;
     Frozen older(run, ranks, at);
     if (!older.is_frozen()) continue;
+    ++freezes;
     ++tally().freezes;
     run.finish(ranks);
     const auto before = shared_files(run);
@@ -127,6 +163,7 @@ void expect_older_stops_behind_a_finished_newer(int ranks, int sample) {
     expect_undisturbed_end(run, undisturbed.end);
     if (::testing::Test::HasFailure() && !is_long_form()) return;
   }
+  EXPECT_GT(freezes, 0);
 }
 
 TEST(Fencing, OlderAttemptFrozenAtAnyCallStopsBehindAFinishedNewerOne) {
@@ -135,11 +172,48 @@ TEST(Fencing, OlderAttemptFrozenAtAnyCallStopsBehindAFinishedNewerOne) {
 
 TEST(Fencing, OlderAttemptOnTwoRanksToo) { expect_older_stops_behind_a_finished_newer(2, 2); }
 
+TEST(Fencing, OlderAttemptFrozenInItsResumeStopsToo) {
+  const Undisturbed undisturbed(1, leave_two_checkpoints);
+  const Span& span = undisturbed.span;
+  std::set<std::int64_t> places(span.renames.begin(), span.renames.end());
+  for (const std::int64_t place : planned_places(span.resumed - span.first + 1, 4))
+    places.insert(span.first + place - 1);
+  for (const std::int64_t at : places) {
+    SCOPED_TRACE(fmt::format("frozen at call {}, {} to {} are the resume", at, span.first, span.resumed));
+    BusyRun run;
+    leave_two_checkpoints(run);
+    Frozen older(run, 1, at);
+    ASSERT_TRUE(older.is_frozen());
+    ++tally().freezes;
+    run.finish();
+    const auto before = shared_files(run);
+    EXPECT_EQ(before.at(std::string(foreign_name) + ".foreign"), foreign_checkpoint());
+    expect_superseded(older, span);
+    expect_same_files(before, shared_files(run));
+    expect_undisturbed_end(run, undisturbed.end);
+    if (::testing::Test::HasFailure() && !is_long_form()) return;
+  }
+}
+
+TEST(Fencing, OlderAttemptThatFindsNothingToGoOnFromStillSaysThatItIsSuperseded) {
+  const Undisturbed undisturbed(1, leave_two_checkpoints);
+  BusyRun run;
+  leave_two_checkpoints(run);
+  Frozen older(run, 1, undisturbed.span.first);
+  ASSERT_TRUE(older.is_frozen());
+  ++tally().freezes;
+  std::filesystem::create_directories(run.path("attempts/3"));
+  set_content(run.path("attempts/3/owner"), "another\n");
+  for (const auto& entry : std::filesystem::directory_iterator(run.path("checkpoints"))) set_content(entry, "torn");
+  expect_superseded(older, undisturbed.span);
+}
+
 TEST(Fencing, NewerAttemptInMidRunDoesNotNoticeTheOlderOne) {
   const Undisturbed undisturbed(1);
   const Span& span = undisturbed.span;
   // Both are frozen at several calls each; coprime strides bring many pairs.
   const std::int64_t length = span.last - span.first + 1;
+  int freezes = 0;
   for (const std::int64_t place : planned_places(length, 6)) {
     const std::int64_t older_at = span.first + place - 1;
     const std::int64_t newer_at = span.first + (7 * place) % length;
@@ -148,6 +222,7 @@ TEST(Fencing, NewerAttemptInMidRunDoesNotNoticeTheOlderOne) {
     Frozen older(run, 1, older_at);
     if (!older.is_frozen()) continue;
     Frozen newer(run, 1, newer_at);
+    freezes += newer.is_frozen() ? 1 : 0;
     tally().freezes += 1 + (newer.is_frozen() ? 1 : 0);
     expect_superseded(older, span);
     const Finished end = newer.thaw();
@@ -155,6 +230,7 @@ TEST(Fencing, NewerAttemptInMidRunDoesNotNoticeTheOlderOne) {
     expect_undisturbed_end(run, undisturbed.end);
     if (::testing::Test::HasFailure() && !is_long_form()) return;
   }
+  EXPECT_GT(freezes, 0) << "of the newer one, while the older one was frozen too";
 }
 
 }  // namespace

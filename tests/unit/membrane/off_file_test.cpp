@@ -2,6 +2,7 @@
 // OFF files: round trip, and errors that name the line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <filesystem>
 #include <random>
@@ -109,6 +110,24 @@ TEST(MembraneFiles, MissingFilesAndUnknownKindsAreRefused) {
   EXPECT_THROW(read_surface("/tmp"), Error);
   EXPECT_THROW(read_surface("cell.ply"), Error);
   EXPECT_THROW(write_off(unit_sphere(0), "/nonexistent/cell.off"), Error);
+}
+
+TEST(MembraneFiles, FileThatIsThereButCannotBeOpenedIsAnIoFailure) {
+  const std::filesystem::path path = std::filesystem::temp_directory_path() / "rouleau_cannot_be_opened.off";
+  write_off(unit_sphere(0), path);
+  rlimit limit{};
+  getrlimit(RLIMIT_NOFILE, &limit);
+  const rlimit none{0, limit.rlim_max};
+  setrlimit(RLIMIT_NOFILE, &none);
+  Exit code = Exit::finished;
+  try {
+    read_surface(path);
+  } catch (const Error& error) {
+    code = error.code();
+  }
+  setrlimit(RLIMIT_NOFILE, &limit);
+  std::filesystem::remove(path);
+  EXPECT_EQ(code, Exit::io) << "it may pass";
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <filesystem>
 #include <fstream>
@@ -129,6 +130,28 @@ TEST_F(RunFileOnDisk, OfMoreThanOneMebibyteIsRefused) {
     EXPECT_EQ(e.code(), Exit::bad_input);
     EXPECT_THAT(e.what(), HasSubstr("1048576 bytes"));
   }
+}
+
+TEST_F(RunFileOnDisk, ThatIsThereButCannotBeOpenedIsAnIoFailure) {
+  write("cell.off", "OFF");
+  const std::string text = RunText{.cell = "shape = mesh\nmesh_file = cell.off"}.text();
+  write("run.ini", text);
+  const auto failure = [](const auto& work) {
+    rlimit limit{};
+    getrlimit(RLIMIT_NOFILE, &limit);
+    const rlimit none{0, limit.rlim_max};
+    setrlimit(RLIMIT_NOFILE, &none);
+    Exit code = Exit::finished;
+    try {
+      work();
+    } catch (const Error& e) {
+      code = e.code();
+    }
+    setrlimit(RLIMIT_NOFILE, &limit);
+    return code;
+  };
+  EXPECT_EQ(failure([&] { read_run_file(folder_ / "run.ini"); }), Exit::io) << "it may pass";
+  EXPECT_EQ(failure([&] { parse_run_file(text, folder_ / "run.ini"); }), Exit::io) << "of a mesh too";
 }
 
 TEST_F(RunFileOnDisk, ThatIsMissingOrAFolderIsRefused) {

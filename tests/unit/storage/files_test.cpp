@@ -40,6 +40,38 @@ TEST_F(Files, WrittenAsideIsReadBack) {
   EXPECT_EQ(list_directory(files, directory.path()), std::vector<std::string>{"record.json"});
 }
 
+TEST_F(Files, BytesThatComeBackAreRead) {
+  set_content(path, "old");
+  files.failing_call = "pread";
+  files.failing_errno = EIO;
+  files.failing_preads = 2;
+  EXPECT_EQ(read_file(files, path), "old");
+}
+
+TEST_F(Files, MediumThatCannotReadIsNoBadInput) {
+  set_content(path, "old");
+  files.failing_call = "pread";
+  files.failing_errno = EIO;
+  try {
+    static_cast<void>(read_file(files, path));
+    FAIL() << "was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Exit::io);
+    EXPECT_THAT(error.what(), HasSubstr("the medium cannot read 4096 bytes at 0 (errno 5)"));
+  }
+}
+
+TEST_F(Files, BlocksAddUpToTheBytesAskedFor) {
+  std::string content;
+  while (content.size() < (5U << 19U)) content += std::to_string(content.size());
+  set_content(path, content);
+  for (const std::size_t asked : {std::size_t{0}, std::size_t{7}, std::size_t{1} << 20U, content.size()}) {
+    std::string read;
+    read_blocks(File::read(files, path), asked, [&](std::string_view block) { read += block; });
+    EXPECT_TRUE(read == content.substr(0, asked)) << asked;
+  }
+}
+
 TEST_F(Files, AtAnyMomentOfDeathTheOldOrTheNewContentIsThere) {
   set_content(path, "old");
   bool finished = false;

@@ -286,11 +286,21 @@ TEST_F(Resume, FileThatMayBeReadableLaterIsNotPassedOver) {
 
 TEST_F(Resume, MediumThatLostBytesIsDamage) {
   save(10);
+  save(20);
   files.failing_call = "pread";
   files.failing_errno = EIO;
+  files.failing_preads = 4;  // each of the attempts to read the first bytes
   const Resumed resumed = load();
-  EXPECT_FALSE(resumed.metadata.has_value());
+  ASSERT_TRUE(resumed.metadata.has_value());
+  EXPECT_EQ(resumed.metadata->step, 10);
   EXPECT_THAT(resumed.rejected.at(0).why, HasSubstr("the medium cannot read"));
+}
+
+TEST_F(Resume, MediumThatCanReadNoCheckpointAtAllMayDoSoLater) {
+  save(10);
+  files.failing_call = "pread";
+  files.failing_errno = EIO;
+  EXPECT_EQ(refusal().code(), Exit::io);
 }
 
 }  // namespace

@@ -147,6 +147,48 @@ TEST_F(Samples, LogThatLostWhatACheckpointCountedIsAnObstacle) {
   EXPECT_THAT(again.obstacle(counted).value(), HasSubstr("missing"));
 }
 
+TEST_F(Samples, LogThatCannotBeReadIsNotTakenForAnother) {
+  log.start();
+  add(log, 0, 3);
+  const SampleLogPosition counted = log.sync();
+  files.failing_call = "pread";
+  files.failing_errno = EIO;
+  try {
+    static_cast<void>(log.obstacle(counted));
+    FAIL() << "was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Exit::io);
+  }
+}
+
+TEST_F(Samples, OfAnyLengthOnlyWhatWasCountedIsRead) {
+  log.start();
+  add(log, 0, 3);
+  const SampleLogPosition counted = log.sync();
+  const std::string before = content_of(path);
+  std::filesystem::resize_file(path, 64U << 20U);
+  const std::uint64_t read = files.bytes_read;
+  SampleLog again = make();
+  EXPECT_TRUE(again.has_samples());
+  EXPECT_FALSE(again.obstacle(counted).has_value());
+  again.cut_back(counted);
+  EXPECT_EQ(content_of(path), before);
+  // Thrice what was counted, and two times as much as a line may have.
+  EXPECT_LT(files.bytes_read - read, 3 * counted.bytes + (4U << 16U));
+}
+
+TEST_F(Samples, HeaderAloneIsNoSample) {
+  EXPECT_FALSE(log.has_samples()) << "no file";
+  log.start();
+  EXPECT_FALSE(log.has_samples());
+  add(log, 0, 1);
+  EXPECT_TRUE(log.has_samples());
+  set_content(path, "");
+  EXPECT_FALSE(log.has_samples());
+  set_content(path, "no line");
+  EXPECT_TRUE(log.has_samples()) << "nobody knows what it is";
+}
+
 TEST_F(Samples, OtherColumnsAreAnObstacle) {
   log.start();
   add(log, 0, 3);
