@@ -28,7 +28,9 @@ RetryPolicy policy_of(const Execution& execution) {
 }
 
 bool was_ever_started(const std::filesystem::path& run_directory) {
-  return std::filesystem::exists(run_directory / "attempts") || std::filesystem::exists(run_directory / "samples.csv");
+  std::error_code unseen;
+  return !attempt_numbers(run_directory).empty() || std::filesystem::exists(run_directory / "samples.csv", unseen) ||
+         unseen;
 }
 
 /// An attempt that somebody else made, from its files.
@@ -55,8 +57,7 @@ Manager::Manager(const std::filesystem::path& directory, const std::string& verb
       policy_(policy_of(study_.execution)),
       breaker_(kept_breaker(store_, study_)),
       allowed_(allowed_cores()) {
-  engine_.name = store_.setting(engine_setting).value_or(study_.execution.engine);
-  engine_.self_sustaining = store_.setting(self_sustaining_setting) == "1";
+  read_engine();
   const std::vector<AttemptRow> open = store_.open_attempts();
   const auto is_slurms = [](const AttemptRow& attempt) { return attempt.engine == slurm_engine; };
   if (engine_.name == slurm_engine || std::any_of(open.begin(), open.end(), is_slurms))
@@ -96,15 +97,15 @@ void Manager::reconcile(bool all) {
   for (const AttemptRow& attempt : store_.open_attempts()) open.insert(attempt.point);
   for (const PointRow& point : store_.points()) {
     if (!all && !open.contains(point.key) && point.state != State::running) continue;
-    // Thousands of points may never have been started; most of a pass would be spent on finding nothing there.
-    if (point.state == State::waiting && !was_ever_started(run_directory(point.key))) continue;
     // One bad run must not keep the others from being looked after.
     try {
+      // Thousands of points may never have been started; most of a pass would be spent on finding nothing there.
+      if (point.state == State::waiting && !was_ever_started(run_directory(point.key))) continue;
       settle(point);
       if (all && !is_final(point.state)) warn_of(ingest_point(store_, directory_, point.key).warnings);
       const bool is_done = store_.point(point.key)->state == State::done;
       if (all && is_done) finish(point.key);
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
       warn_of({name_of(point) + ": " + error.what()});
     }
   }
@@ -112,15 +113,20 @@ void Manager::reconcile(bool all) {
 
 void Manager::settle(const PointRow& point) {
   std::optional<AttemptRow> newest = store_.newest_attempt(point.key);
-  const Gathered gathered =
+  Gathered gathered =
       gather(run_directory(point.key), newest ? newest->number : 0, life_of_attempt(newest ? &*newest : nullptr));
   warn_of(gathered.warnings);
   if (gathered.job) follow_job(point, newest ? &*newest : nullptr, gathered);
-  const Evidence& evidence = gathered.evidence;
-  const Recorded recorded = recorded_of(point, newest ? &*newest : nullptr);
-  const Verdict verdict = judge(recorded, evidence, policy_);
+  Evidence& evidence = gathered.evidence;
+  Recorded recorded = recorded_of(point, newest ? &*newest : nullptr);
   // An attempt that the user has given up (its end is recorded) is waited for no more.
   const bool is_open = recorded.attempt_is_open || evidence.newest_attempt > recorded.attempt;
+  if (is_open && evidence.life != Life::alive) recorded.starts_in_vain = starts_in_vain(store_.attempts(point.key));
+  Verdict verdict = judge(recorded, evidence, policy_);
+  if (verdict.attempt_ended && verdict.state == State::done) {
+    evidence.sample_trouble = sample_trouble(store_, run_directory(point.key), point.key, evidence.exit->step);
+    verdict = judge(recorded, evidence, policy_);
+  }
   const bool is_unseen = is_open && evidence.life == Life::unknown && !evidence.exit && !is_final(point.state);
   if (evidence.life == Life::alive || is_unseen) {
     living_.push_back({point.key, point.ordinal, evidence.newest_attempt, gathered.ranks, !is_unseen, gathered.process,
@@ -178,13 +184,13 @@ void Manager::note_end(const PointRow& point, const Recorded& recorded, const Ga
   say_(fmt::format("{}: {} ({})", name_of(point), word_of(verdict.state), verdict.evidence));
   // A stop file that was obeyed would stop the next start too; of a cancelled point it stays until `retry`.
   if (verdict.state != State::cancelled) remove_stop_file(run_directory(point.key));
-  if (!is_early_failure(recorded, gathered.evidence, verdict)) {
-    note_progress();
-    return;
-  }
   const Evidence& evidence = gathered.evidence;
-  note_failure(point.key, evidence.exit ? fmt::format("exit {}: {}", evidence.exit->code, evidence.exit->reason)
-                                        : "crashed: " + evidence.last_words);
+  if (verdict.state == State::done || has_progressed(recorded, evidence)) {
+    note_progress();
+  } else if (is_early_failure(recorded, evidence, verdict)) {
+    note_failure(point.key, evidence.exit ? fmt::format("exit {}: {}", evidence.exit->code, evidence.exit->reason)
+                                          : "crashed: " + evidence.last_words);
+  }
 }
 
 void Manager::note_failure(const std::string& key, const std::string& reason) {

@@ -19,6 +19,7 @@
 #include "jobs/breaker.hpp"
 #include "jobs/schedule.hpp"
 #include "store/store.hpp"
+#include "study/error.hpp"
 #include "study/point.hpp"
 #include "study/study.hpp"
 
@@ -54,7 +55,7 @@ class Manager {
   /// Takes the lock and opens the database.   throws Error (not_found, locked, failed)
   Manager(const std::filesystem::path& directory, const std::string& verb, Say say, LockPatience patience = {});
 
-  /// Sets the engine of this manager; keep_engine() of all later passes as well.
+  /// Sets the engine of this manager; keep_engine() of all later passes as well, in the file DIR/engine.
   /// throws Error (usage) if Slurm is asked for and there is no such cluster file
   void use_engine(const Engine& engine, const std::filesystem::path& cluster);
   void keep_engine();
@@ -98,6 +99,7 @@ class Manager {
   [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
 
  private:
+  void read_engine();
   void open_slurm(const std::filesystem::path& cluster);
   void look_at_queue();
   void cancel_orphans();
@@ -114,8 +116,10 @@ class Manager {
   void warn_of(const std::vector<std::string>& warnings);
   void cancel(const PointRow& point);
   void retry(const PointRow& point);
-  [[nodiscard]] bool has_room_for(const PointRow& point);
+  [[nodiscard]] std::int64_t room_of_living() const;
+  [[nodiscard]] bool take_room_for(const PointRow& point);
   [[nodiscard]] AttemptRow planned_attempt(const PointRow& point, const Cores& cores) const;
+  void fit_to_directory(AttemptRow& attempt) const;  ///< its number and what it starts from
   bool start_point(const PointRow& point, const Cores& cores);
   int start_here();
   int submit();
@@ -127,15 +131,14 @@ class Manager {
   [[nodiscard]] AttemptRow planned_job_attempt(const PointRow& point) const;
   bool test_submission(const JobScript& script);
   void write_job_file(const AttemptRow& attempt, const JobFile& job) const;
-  void record_failed_launch(const PointRow& point, AttemptRow attempt, const std::string& why);
+  [[nodiscard]] static LaunchTrouble trouble_of(const Error& error);  ///< before the attempt was claimed
+  void record_failed_launch(const PointRow& point, AttemptRow attempt, LaunchTrouble trouble, const std::string& why);
   [[nodiscard]] std::vector<Startable> startables() const;
   [[nodiscard]] Capacity capacity(const Cores& free) const;
   [[nodiscard]] Cores free_cores_now() const;
   [[nodiscard]] const LivingJob* living_job(const std::string& key) const;
   [[nodiscard]] std::filesystem::path run_directory(const std::string& key) const;
   [[nodiscard]] std::string name_of(const PointRow& point);
-
-  static constexpr std::string_view engine_setting = "engine", self_sustaining_setting = "self_sustaining";
 
   std::filesystem::path directory_;
   Say say_;
@@ -149,7 +152,9 @@ class Manager {
   std::unique_ptr<SlurmEngine> slurm_;  ///< there if the engine is Slurm or an attempt of it is open
   bool is_new_look_ = false;            ///< Slurm was asked in this pass
   bool has_tested_submission_ = false;
-  std::filesystem::path solver_;  ///< found when the first job is started
+  std::optional<std::int64_t> promised_bytes_;  ///< of this pass: what living jobs may still write, and its starts
+  bool waits_for_room_ = false;                 ///< and that was said
+  std::filesystem::path solver_;                ///< found when the first job is started
   Cores allowed_;
   std::vector<LivingJob> living_;
   std::map<std::string, std::string> names_;

@@ -12,6 +12,11 @@ namespace rouleau::campaign {
 namespace {
 
 constexpr double local_pass_interval_s = 0.25;
+constexpr const char* engine_file = "engine";
+
+std::string text_of(const Engine& engine) {
+  return engine.name + (engine.self_sustaining ? " self-sustaining\n" : "\n");
+}
 
 }  // namespace
 
@@ -32,9 +37,25 @@ void Manager::use_engine(const Engine& engine, const std::filesystem::path& clus
   if (engine_.name == slurm_engine) open_slurm(cluster);
 }
 
-void Manager::keep_engine() {
-  store_.set_setting(engine_setting, engine_.name);
-  store_.set_setting(self_sustaining_setting, engine_.self_sustaining ? "1" : "0");
+void Manager::keep_engine() { write_whole_file(directory_ / engine_file, text_of(engine_)); }
+
+void Manager::read_engine() {
+  const std::filesystem::path file = directory_ / engine_file;
+  if (const std::optional<std::string> kept = read_whole_file(file, largest_record)) {
+    const std::string local(local_engine), slurm(slurm_engine);
+    for (const Engine& engine : {Engine{local, false}, Engine{slurm, false}, Engine{slurm, true}}) {
+      if (text_of(engine) != *kept) continue;
+      engine_ = engine;
+      return;
+    }
+    fail(Exit::damaged,
+         "{}: names no engine. Remove it, then say by `rouleau run --engine` whether jobs run here or under Slurm.",
+         file.string());
+  }
+  // Campaigns of earlier versions kept it in the database, which a rebuild cannot restore.
+  const std::optional<std::string> name = store_.setting("engine");
+  engine_ = {name.value_or(study_.execution.engine), store_.setting("self_sustaining") == "1"};
+  if (name) keep_engine();
 }
 
 void Manager::look_at_queue() {

@@ -7,6 +7,7 @@
 #include "commands/planned_point.hpp"
 #include "executor/attempt.hpp"
 #include "executor/solver.hpp"
+#include "ingest/ingest.hpp"
 #include "ingest/run_files.hpp"
 #include "study/error.hpp"
 
@@ -18,11 +19,19 @@ namespace {
 constexpr std::int64_t checkpoints_of_room = 2;
 constexpr std::int64_t bytes_for_logs = 1 << 20;
 
+/// What a run may write beyond what it has: at least the checkpoint being written aside.
+std::int64_t room_of(const Point& point, std::size_t generations) {
+  const std::int64_t missing = checkpoints_of_room - static_cast<std::int64_t>(generations);
+  return std::max<std::int64_t>(1, missing) * point.facts.checkpoint_bytes + bytes_for_logs;
+}
+
 double MiB_in(const std::filesystem::path& directory) {
   double bytes = 0;
-  std::error_code vanished;  // a living job replaces files meanwhile
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(directory, vanished)) {
-    const std::uintmax_t size = entry.is_regular_file(vanished) ? entry.file_size(vanished) : 0;
+  std::error_code unseen;
+  for (std::filesystem::recursive_directory_iterator it(directory, unseen), end; !unseen && it != end;
+       it.increment(unseen)) {
+    std::error_code vanished;  // a living job replaces files meanwhile
+    const std::uintmax_t size = it->is_regular_file(vanished) ? it->file_size(vanished) : 0;
     if (!vanished) bytes += static_cast<double>(size);
   }
   return bytes / (1 << 20);
@@ -59,11 +68,10 @@ Capacity Manager::capacity(const Cores& free) const {
 }
 
 int Manager::start() {
-  if (is_paused()) {
-    warn_of({pause_text(breaker_)});
-    return 0;
-  }
-  return engine_.name == slurm_engine ? submit() : start_here();
+  promised_bytes_.reset();
+  const int started = is_paused() ? 0 : engine_.name == slurm_engine ? submit() : start_here();
+  if (is_paused()) warn_of({pause_text(breaker_)});  // also of failed starts just now
+  return started;
 }
 
 int Manager::start_here() {
@@ -120,56 +128,88 @@ void Manager::check_room() {
                    directory_.string(), free_MiB, need_MiB)});
 }
 
-bool Manager::has_room_for(const PointRow& point) {
-  const Point file = read_point(run_directory(point.key) / "point.json");
-  const auto room = static_cast<std::int64_t>(std::filesystem::space(directory_).available);
-  const std::int64_t need = checkpoints_of_room * file.facts.checkpoint_bytes + bytes_for_logs;
-  if (room >= need) return true;
-  warn_of({fmt::format("{}: the disk has {} MiB free, a start needs {} MiB. Points wait until there is room.",
-                       directory_.string(), room >> 20, need >> 20)});
+std::int64_t Manager::room_of_living() const {
+  std::int64_t bytes = 0;
+  for (const LivingJob& job : living_) {
+    const std::filesystem::path run = run_directory(job.key);
+    try {
+      bytes += room_of(read_point(run / "point.json"), checkpoint_steps(run).size());
+    } catch (const Error&) {
+      // Damaged while its job runs: named when it is started next.
+    }
+  }
+  return bytes;
+}
+
+/// The disk is asked before any of the starts of a pass has written anything, so they are counted here.
+bool Manager::take_room_for(const PointRow& point) {
+  const std::int64_t need = room_of(read_point(run_directory(point.key) / "point.json"), 0);
+  if (!promised_bytes_) promised_bytes_ = room_of_living();
+  std::error_code error;
+  const auto free = static_cast<std::int64_t>(std::filesystem::space(directory_, error).available);
+  if (error) fail(Exit::failed, "{}: cannot ask for its free space: {}.", directory_.string(), error.message());
+  if (free - *promised_bytes_ >= need) {
+    *promised_bytes_ += need;
+    waits_for_room_ = false;
+    return true;
+  }
+  if (!waits_for_room_)
+    say_(
+        fmt::format("warning: {}: the disk has {} MiB free, {} MiB of them for jobs that run; a start needs {} MiB. "
+                    "Points wait until there is room.",
+                    directory_.string(), free >> 20, *promised_bytes_ >> 20, need >> 20));
+  waits_for_room_ = true;
   return false;
 }
 
 AttemptRow Manager::planned_attempt(const PointRow& point, const Cores& cores) const {
-  const std::vector<int> in_directory = attempt_numbers(run_directory(point.key));
-  const std::vector<std::int64_t> checkpoints = checkpoint_steps(run_directory(point.key));
   const std::optional<AttemptRow> newest = store_.newest_attempt(point.key);
   AttemptRow attempt;
   attempt.point = point.key;
-  attempt.number = 1 + std::max(in_directory.empty() ? 0 : in_directory.back(), newest ? newest->number : 0);
+  attempt.number = 1 + (newest ? newest->number : 0);
   attempt.token = new_token();
   attempt.state = AttemptState::planned;
   attempt.host = host_name();
   attempt.ranks = static_cast<int>(study_.execution.ranks);
   attempt.cores = to_text(cores);
-  attempt.checkpoint_at_start = checkpoints.empty() ? -1 : checkpoints.back();
   attempt.started_unix_s = now_unix_s();
   return attempt;
 }
 
+void Manager::fit_to_directory(AttemptRow& attempt) const {
+  const std::filesystem::path run = run_directory(attempt.point);
+  const std::vector<int> attempts = attempt_numbers(run);
+  const std::vector<std::int64_t> checkpoints = checkpoint_steps(run);
+  if (!attempts.empty()) attempt.number = std::max(attempt.number, attempts.back() + 1);
+  if (!checkpoints.empty()) attempt.checkpoint_at_start = checkpoints.back();
+}
+
 bool Manager::start_point(const PointRow& point, const Cores& cores) {
   AttemptRow attempt = planned_attempt(point, cores);
-  const std::string how = attempt.checkpoint_at_start < 0
-                              ? "from the start"
-                              : fmt::format("again, newest checkpoint on disk {}", attempt.checkpoint_at_start);
   const std::filesystem::path run = run_directory(point.key);
   ProcessIdentity process;
-  std::string trouble;
+  std::string how;
+  bool is_claimed = false;
   try {
-    if (!has_room_for(point)) return false;
+    fit_to_directory(attempt);
+    if (!take_room_for(point)) return false;
     require_run_file(run, read_point(run / "point.json"));
     Transaction intent = store_.begin();
     store_.put_attempt(attempt);
+    how = attempt.checkpoint_at_start < 0
+              ? "from the start"
+              : fmt::format("again, newest checkpoint on disk {}", attempt.checkpoint_at_start);
     const std::string evidence = fmt::format("attempt {} is started {}", attempt.number, how);
     if (!store_.change_state(point.key, point.state, State::running, evidence, attempt.number)) return false;
     intent.commit();
 
     remove_stop_file(run);
     claim_attempt(run, attempt.number, attempt.token);
+    is_claimed = true;
     process = executor_.launch({solver_, run, attempt.number, attempt.token, attempt.ranks, attempt.checkpoint_at_start,
                                 cores, static_cast<int>(study_.execution.niceness)});
   } catch (const Error& error) {
-    record_failed_launch(point, attempt, error.what());
+    record_failed_launch(point, attempt, is_claimed ? LaunchTrouble::engine : trouble_of(error), error.what());
     return false;
   }
   // A process is running from here on: what fails now is no failed launch, and the next pass finds it by its
@@ -186,26 +226,42 @@ bool Manager::start_point(const PointRow& point, const Cores& cores) {
   return true;
 }
 
-void Manager::record_failed_launch(const PointRow& point, AttemptRow attempt, const std::string& why) {
+LaunchTrouble Manager::trouble_of(const Error& error) {
+  return error.code() == Exit::damaged ? LaunchTrouble::damage : LaunchTrouble::files;
+}
+
+void Manager::record_failed_launch(const PointRow& point, AttemptRow attempt, LaunchTrouble trouble,
+                                   const std::string& why) {
   const PointRow now = store_.point(point.key).value();
-  const Verdict verdict = judge_failed_launch(recorded_of(now, &attempt), why, policy_);
+  Recorded recorded = recorded_of(now, &attempt);
   Transaction outcome = store_.begin();
   attempt.state = AttemptState::ended;
   attempt.ended_unix_s = now_unix_s();
   attempt.reason = why;
   store_.put_attempt(attempt);
+  recorded.starts_in_vain = starts_in_vain(store_.attempts(point.key));
+  const Verdict verdict = judge_failed_launch(recorded, trouble, why, policy_);
   store_.set_retry(point.key, verdict.retries_used, verdict.retry_in_s > 0 ? now_unix_s() + verdict.retry_in_s : 0);
   store_.change_state(point.key, now.state, verdict.state, verdict.evidence, attempt.number);
   outcome.commit();
-  note_failure(point.key, why);
+  if (trouble != LaunchTrouble::files) {
+    // What all points share is not where they lie.
+    std::string reason = why;
+    for (std::size_t at; (at = reason.find(point.key)) != std::string::npos;) reason.replace(at, point.key.size(), "*");
+    note_failure(point.key, reason);
+  }
   say_(fmt::format("{}: {} ({})", name_of(point), word_of(verdict.state), verdict.evidence));
 }
 
 void Manager::ask_to_stop() {
   for (const LivingJob& job : living_) {
     if (!job.is_seen || job.job) continue;
-    make_stop_file(run_directory(job.key));
-    executor_.ask_to_stop(job.process, run_directory(job.key), job.attempt);
+    try {
+      executor_.ask_to_stop(job.process, run_directory(job.key), job.attempt);
+      make_stop_file(run_directory(job.key));
+    } catch (const std::exception& error) {
+      warn_of({fmt::format("#{}: {}", job.ordinal, error.what())});
+    }
   }
 }
 

@@ -87,7 +87,10 @@ std::vector<std::string> Manager::scripts() {
   if (engine_.name != slurm_engine) return texts;
   for (const std::vector<PointRow>& pack : next_packs()) {
     std::vector<AttemptRow> attempts;
-    for (const PointRow& point : pack) attempts.push_back(planned_job_attempt(point));
+    for (const PointRow& point : pack) {
+      attempts.push_back(planned_job_attempt(point));
+      fit_to_directory(attempts.back());
+    }
     texts.push_back(job_script(slurm_->cluster(), script_of(attempts)));
   }
   return texts;
@@ -131,10 +134,11 @@ bool Manager::submit_pack(std::vector<PointRow> points) {
   std::erase_if(points, [&](const PointRow& point) {
     AttemptRow attempt = planned_job_attempt(point);
     try {
-      if (!has_room_for(point)) return true;
+      fit_to_directory(attempt);
+      if (!take_room_for(point)) return true;
       require_run_file(run_directory(point.key), read_point(run_directory(point.key) / "point.json"));
     } catch (const Error& error) {
-      record_failed_launch(point, attempt, error.what());
+      record_failed_launch(point, attempt, trouble_of(error), error.what());
       return true;
     }
     attempts.push_back(attempt);
@@ -144,15 +148,18 @@ bool Manager::submit_pack(std::vector<PointRow> points) {
   const JobScript script = script_of(attempts);
   if (!test_submission(script)) return false;
   Submission submission;
+  LaunchTrouble kind = LaunchTrouble::files;
   try {
     claim_pack(points, attempts, script);
+    kind = LaunchTrouble::engine;
     submission =
         slurm_->client().submit_held(attempt_directory(run_directory(points[0].key), attempts[0].number) / "job.sh");
   } catch (const Error& error) {
     submission.trouble = error.what();
   }
   if (submission.id.empty() && !submission.transient) {
-    for (std::size_t i = 0; i < points.size(); ++i) record_failed_launch(points[i], attempts[i], submission.trouble);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      record_failed_launch(points[i], attempts[i], kind, submission.trouble);
     return false;
   }
   // Whether a submission without an answer arrived is not known; the next passes look for its name.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "commands/evidence.hpp"
+#include "ingest/run_files.hpp"
 #include "study/error.hpp"
 #include "study/point.hpp"
 
@@ -95,9 +96,15 @@ PointStatus StatusReader::status_of(const PointRow& point, const AttemptRow* new
   status.point = point;
   status.attempts = newest ? newest->number : 0;
   const std::filesystem::path run = point_directory(campaign_, point.key);
-  const bool was_started = newest || std::filesystem::exists(run / "attempts");
-  if (was_started) look_at(status, run, newest);
-  if (!was_started && !point.in_study) status.note = "no longer in the study";
+  try {
+    if (newest || !attempt_numbers(run).empty())
+      look_at(status, run, newest);
+    else if (!point.in_study)
+      status.note = "no longer in the study";
+  } catch (const std::exception& trouble) {  // one that cannot be seen hides none of the others
+    status.note = trouble.what();
+    return status;
+  }
   // Nothing but a new attempt changes it now, and that is recorded before it starts.
   if (newest && newest->state == AttemptState::ended && is_final(point.state) && !status.lives && !status.is_behind)
     settled_.insert_or_assign(point.key, Settled{point, *newest, status});

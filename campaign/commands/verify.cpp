@@ -30,7 +30,8 @@ std::vector<Finding> verify_checkpoints(const std::filesystem::path& solver, con
   for (const std::int64_t step : checkpoint_steps(run)) {
     const std::filesystem::path file = run / "checkpoints" / fmt::format("{:012}.h5", step);
     const Capture capture = run_and_capture({solver.string(), "verify", file.string()});
-    if (capture.status == 0 || !std::filesystem::exists(file)) continue;  // a running job removes old ones
+    std::error_code unseen;
+    if (capture.status == 0 || !std::filesystem::exists(file, unseen)) continue;  // a running job removes old ones
     const std::string words = capture.err.substr(0, capture.err.find('\n'));
     findings.push_back({key, file.lexically_relative(campaign).string(), true,
                         words.empty() ? fmt::format("the solver's verify ended with {}", capture.status) : words});

@@ -131,7 +131,8 @@ ProcessIdentity LocalExecutor::launch(const Order& order) {
 void LocalExecutor::ask_to_stop(const ProcessIdentity& process, const std::filesystem::path& run_directory,
                                 int attempt) {
   // Before started.json the solver may not catch signals yet and would be killed by one; the stop file reaches it then.
-  if (!std::filesystem::exists(attempt_directory(run_directory, attempt) / "started.json")) return;
+  std::error_code unseen;
+  if (!std::filesystem::exists(attempt_directory(run_directory, attempt) / "started.json", unseen)) return;
   if (life_of(process) == Life::alive) ::kill(static_cast<pid_t>(process.pid), SIGUSR2);
 }
 

@@ -32,9 +32,18 @@ void store_analysis(Store& store, const Analysis& analysis);
 
 /// Brings the samples, the results and the known attempts of a point up to date from its directory. Of an attempt it
 /// fills in what exit.json and process.json say; state, token and cores stay as recorded, and attempts that the
-/// database does not know are left to whoever judges the point. Changes no state of the point. throws Error only when
-/// the database fails; a damaged file becomes a warning
+/// database does not know are left to whoever judges the point. Samples that the database has are replaced by what
+/// may_replace() them only. Changes no state of the point. throws Error only when the database fails; a damaged file
+/// becomes a warning
 Ingested ingest_point(Store& store, const std::filesystem::path& campaign_directory, std::string_view key);
+
+/// What the sample log lacks of a run that ended at `end_step`; "" = nothing: every line is sound, and the last sample
+/// is the last one that was due.
+[[nodiscard]] std::string sample_trouble(const Store& store, const std::filesystem::path& run_directory,
+                                         std::string_view key, std::int64_t end_step);
+
+/// How many of the newest attempts were started from the same checkpoint, so that all before the last came to nothing.
+[[nodiscard]] int starts_in_vain(const std::vector<AttemptRow>& attempts);
 
 /// What the files of attempts/<attempt.number>/ say, filled into the row.
 void fill_from_files(AttemptRow& attempt, const std::filesystem::path& run_directory,

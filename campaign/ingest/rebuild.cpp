@@ -77,11 +77,15 @@ class Replay {
     return rows;
   }
 
-  void one_attempt(AttemptRow& row, const Evidence& evidence, std::int64_t end_step) {
+  void one_attempt(AttemptRow& row, Evidence& evidence, std::int64_t end_step) {
     if (is_final(state_)) retries_used_ = 0;  // only a user's retry leads on from here
     go_to(State::running, fmt::format("attempt {} was started", row.number), row.started_unix_s, row.number);
     const Recorded recorded{State::running, row.number, true, row.checkpoint_at_start, retries_used_, end_step};
-    const Verdict verdict = judge(recorded, evidence, policy_);
+    Verdict verdict = judge(recorded, evidence, policy_);
+    if (verdict.state == State::done && end_step > 0) {  // of earlier attempts the log holds what the last one left
+      evidence.sample_trouble = sample_trouble(store_, directory_, point_.key, evidence.exit->step);
+      verdict = judge(recorded, evidence, policy_);
+    }
     row.state = verdict.attempt_ended ? AttemptState::ended : AttemptState::launched;
     store_.put_attempt(row);
     retries_used_ = verdict.retries_used;
@@ -112,9 +116,16 @@ std::vector<Point> points_of(const std::filesystem::path& campaign_directory, st
   std::error_code error;
   for (std::filesystem::directory_iterator it(campaign_directory / "points", error), end; !error && it != end;
        it.increment(error)) {
-    if (!it->is_directory()) continue;
+    std::error_code unseen;
+    if (!it->is_directory(unseen)) {
+      if (unseen) warnings.push_back(fmt::format("{}: cannot be seen: {}", it->path().string(), unseen.message()));
+      continue;
+    }
     try {
       Point point = read_point(it->path() / "point.json");
+      // With folders that cannot be listed it would come back as a point that was never started.
+      static_cast<void>(attempt_numbers(it->path()));
+      static_cast<void>(checkpoint_steps(it->path()));
       if (point.key != it->path().filename())
         warnings.push_back(fmt::format("{}: its point.json is that of {}; left aside", it->path().string(), point.key));
       else

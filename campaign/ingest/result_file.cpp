@@ -6,6 +6,7 @@
 
 #include "ingest/ingest.hpp"
 #include "study/error.hpp"
+#include "study/record.hpp"
 #include "study/whole_file.hpp"
 
 namespace rouleau::campaign {
@@ -89,17 +90,16 @@ std::string result_json(const Store& store, std::string_view key) {
                     {"version", attempt.version},
                     {"git", attempt.git}});
 
-  const Json document = {{"contract", 1},
-                         {"key", point->key},
-                         {"ordinal", point->ordinal},
-                         {"replica", point->replica},
-                         {"state", word_of(point->state)},
-                         {"swept", swept},
-                         {"analysis", thresholds},
-                         {"cells", cells},
-                         {"cost", cost_of(attempts)},
-                         {"provenance", runs}};
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return record_text({{"contract", 1},
+                      {"key", point->key},
+                      {"ordinal", point->ordinal},
+                      {"replica", point->replica},
+                      {"state", word_of(point->state)},
+                      {"swept", swept},
+                      {"analysis", thresholds},
+                      {"cells", cells},
+                      {"cost", cost_of(attempts)},
+                      {"provenance", runs}});
 }
 
 void write_result_file(const Store& store, const std::filesystem::path& campaign_directory, std::string_view key) {

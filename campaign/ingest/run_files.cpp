@@ -84,12 +84,15 @@ std::optional<int> read_number(const std::filesystem::path& file, std::vector<st
   });
 }
 
-/// The entries of a folder, none if there is no such folder.
+/// The entries of a folder, none if there is no such folder.   throws Error if that cannot be told
 std::vector<std::filesystem::directory_entry> entries_of(const std::filesystem::path& folder) {
   std::error_code error;
   std::vector<std::filesystem::directory_entry> entries;
   for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
     entries.push_back(*it);
+  if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory)
+    fail(Exit::failed, "{}: cannot be listed: {}. See that the disk is sound, has room and is yours to read.",
+         folder.string(), error.message());
   return entries;
 }
 

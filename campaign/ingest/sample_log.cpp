@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -134,12 +135,13 @@ class Columns {
   std::vector<std::pair<std::size_t, std::optional<std::int64_t> SampleRow::*>> wholes_;
 };
 
+/// The bytes begin ... end as far as there are any: the solver may have cut the log back meanwhile.
 std::string bytes_of(std::ifstream& in, std::int64_t begin, std::int64_t end) {
   std::string bytes(static_cast<std::size_t>(end - begin), '\0');
   in.clear();
   in.seekg(begin);
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(in.gcount()));  // the solver may have cut the log back meanwhile
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
   return bytes;
 }
 
@@ -147,6 +149,42 @@ std::string tail_of(std::ifstream& in, std::int64_t offset) {
   return bytes_of(in, std::max<std::int64_t>(0, offset - tail_bytes), offset);
 }
 std::string tail_hash_of(std::ifstream& in, std::int64_t offset) { return digest_of(tail_of(in, offset)); }
+
+/// The whole lines from an offset on, a block in memory at a time: what a file claims to hold is never allocated.
+class Lines {
+ public:
+  Lines(std::ifstream& in, std::int64_t offset) : in_(in), end_(offset) {}
+
+  /// The next line without its newline, until the next call.   throws Damage if it is longer than a line may be
+  std::optional<std::string_view> next() {
+    for (std::size_t searched = 0;;) {
+      const std::size_t newline = rest_.find('\n', searched);
+      if (newline != std::string_view::npos) {
+        const std::string_view line = rest_.substr(0, newline);
+        rest_.remove_prefix(newline + 1);
+        return line;
+      }
+      if (rest_.size() > longest_line) throw Damage(fmt::format("it does not end within {} bytes", longest_line));
+      searched = rest_.size();
+      const std::string block = bytes_of(in_, end_, end_ + block_bytes);
+      if (in_.bad()) throw Damage("it cannot be read to its end");  // a fault of the medium: no log that was cut back
+      if (block.empty()) return std::nullopt;
+      end_ += static_cast<std::int64_t>(block.size());
+      bytes_ = std::string(rest_) + block;
+      rest_ = bytes_;
+    }
+  }
+  [[nodiscard]] std::int64_t unfinished_bytes() const { return static_cast<std::int64_t>(rest_.size()); }
+
+ private:
+  static constexpr std::int64_t block_bytes = 1 << 20;
+  static constexpr std::size_t longest_line = 1 << 16;
+
+  std::ifstream& in_;
+  std::int64_t end_;  ///< of what was read
+  std::string bytes_;
+  std::string_view rest_;
+};
 
 using StepAndCell = std::pair<std::int64_t, int>;
 
@@ -165,64 +203,70 @@ LogPart read_sample_log(const std::filesystem::path& file, const SampleMark& mar
   LogPart part;
   part.from_start = true;
   std::error_code error;
-  if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error)) {
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (status.type() == std::filesystem::file_type::not_found) {
+    if (mark.offset > 0) part.warnings.push_back(fmt::format("{}: is gone", file.string()));
+    return part;
+  }
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
     part.warnings.push_back(fmt::format("{}: is not a regular file; it was not read", file.string()));
     return part;
   }
   std::ifstream in(file, std::ios::binary);
   if (!in) {
-    if (std::filesystem::exists(file))
-      part.warnings.push_back(fmt::format("{}: cannot be read; see its permissions", file.string()));
-    else if (mark.offset > 0)
-      part.warnings.push_back(fmt::format("{}: is gone, and with it its samples", file.string()));
+    part.warnings.push_back(fmt::format("{}: cannot be read; see its permissions", file.string()));
     return part;
-  }
-  in.seekg(0, std::ios::end);
-  const auto size = static_cast<std::int64_t>(in.tellg());
-  if (mark.offset > 0 && size >= mark.offset && tail_hash_of(in, mark.offset) == mark.tail_hash) {
-    part.from_start = false;
-    part.mark = mark;
-    if (size == mark.offset) return part;
   }
 
   std::int64_t offset = 0, line_number = 1;
   const auto note_damage = [&](const Damage& damage) {
     const std::string line = part.from_start ? fmt::format("line {}", line_number)
                                              : fmt::format("line {} behind byte {}", line_number, mark.offset);
-    part.warnings.push_back(
-        fmt::format("{}: {} (byte {}): {}; it and what follows is left aside until the run is resumed", file.string(),
-                    line, offset, damage.what()));
+    part.warnings.push_back(fmt::format("{}: {} (byte {}): {}; it and what follows is not read", file.string(), line,
+                                        offset, damage.what()));
   };
   try {
-    std::string header;
-    in.clear();
-    in.seekg(0);
-    if (!std::getline(in, header) || in.eof()) {
-      part.unfinished_bytes = size;
+    in.seekg(0, std::ios::end);
+    const auto size = static_cast<std::int64_t>(in.tellg());
+    if (mark.offset > 0 && size >= mark.offset && tail_hash_of(in, mark.offset) == mark.tail_hash) {
+      part.from_start = false;
+      part.mark = mark;
+      if (size == mark.offset) return part;
+    }
+    Lines head(in, 0);
+    const std::optional<std::string_view> first = head.next();
+    if (!first) {
+      // The solver puts a log in place with its header.
+      if (mark.offset > 0) throw Damage("it is no whole line");
+      part.unfinished_bytes = head.unfinished_bytes();
       return part;
     }
+    const std::string header(*first);
     const Columns columns(header);
     offset = part.from_start ? static_cast<std::int64_t>(header.size()) + 1 : mark.offset;
     line_number = part.from_start ? 2 : 1;
     StepAndCell last = last_before(in, offset, header, columns);
-    const std::string bytes = bytes_of(in, offset, std::max(size, offset));
-    std::string_view rest = bytes;
-    for (std::size_t end; (end = rest.find('\n')) != std::string_view::npos; ++line_number) {
-      const SampleRow row = columns.row_of(rest.substr(0, end));
+    Lines lines(in, offset);
+    while (const std::optional<std::string_view> line = lines.next()) {
+      const SampleRow row = columns.row_of(*line);
       if (StepAndCell(row.step, row.cell) <= last)
         throw Damage(
             fmt::format("step {}, cell {} comes behind step {}, cell {}", row.step, row.cell, last.first, last.second));
       last = {row.step, row.cell};
       part.rows.push_back(row);
-      rest.remove_prefix(end + 1);
-      offset += static_cast<std::int64_t>(end) + 1;
+      offset += static_cast<std::int64_t>(line->size()) + 1;
+      ++line_number;
     }
-    part.unfinished_bytes = static_cast<std::int64_t>(rest.size());
+    part.unfinished_bytes = lines.unfinished_bytes();
   } catch (const Damage& damage) {
     note_damage(damage);
   }
   if (offset > 0) part.mark = {offset, tail_hash_of(in, offset)};
   return part;
+}
+
+bool may_replace(const LogPart& log, std::size_t stored, bool is_done) {
+  return stored == 0 || (log.warnings.empty() && (!is_done || log.rows.size() >= stored));
 }
 
 }  // namespace rouleau::campaign

@@ -24,8 +24,13 @@ struct LogPart {
 
 /// Reads what is valid behind `mark`. A log that is shorter than the mark, or whose last bytes before it differ, was
 /// cut back by a resumed run: it is read anew. The first damaged line (check, number of fields, a number that is none,
-/// step and cell not increasing) ends the valid part and is named with its line and byte in a warning. A missing file
-/// is an empty one.
+/// step and cell not increasing, a line longer than 64 KiB) ends the valid part and is named with its line and byte in
+/// a warning. A missing file is an empty one; a missing one, or one without a header, that was read before is a
+/// warning. No more than a block of the file is in memory, besides the rows.
 LogPart read_sample_log(const std::filesystem::path& file, const SampleMark& mark);
+
+/// Whether a log that was read from its start may take the place of `stored` rows read before: it is sound and, of a
+/// run that is done and will write no more, no shorter. Of any other run a shorter one is what a resume has left of it.
+[[nodiscard]] bool may_replace(const LogPart& log, std::size_t stored, bool is_done);
 
 }  // namespace rouleau::campaign

@@ -54,11 +54,14 @@ class PointCheck {
         directory_(point_directory(campaign_directory, key)) {}
 
   std::vector<Finding> findings() {
-    point_file();
-    samples();
-    results();
-    attempts();
-    result_file();
+    for (const auto check : {&PointCheck::point_file, &PointCheck::samples, &PointCheck::results, &PointCheck::attempts,
+                             &PointCheck::result_file}) {
+      try {
+        (this->*check)();
+      } catch (const std::exception& trouble) {  // what cannot be seen of a point hides neither the rest nor the others
+        damage(directory_, trouble.what());
+      }
+    }
     return std::move(findings_);
   }
 
@@ -98,9 +101,15 @@ class PointCheck {
       if (in_log != log.rows.end())
         remark(file, fmt::format("{} samples are not in the database yet; `rouleau sync` reads them",
                                  log.rows.end() - in_log));
-    } else if (in_log == log.rows.end() && !log.warnings.empty()) {
+      return;
+    }
+    if (in_log == log.rows.end() && !log.warnings.empty())
       return;  // named above; what the database still holds behind the damage is not at fault
-    } else if (read_sample_log(file, stored_.mark).from_start) {
+    const LogPart since = read_sample_log(file, stored_.mark);
+    if (since.from_start && !may_replace(since, stored.size(), stored_.point.state == State::done)) {
+      damage(file, fmt::format("it has {} samples, the database keeps {}; put the file back from a copy",
+                               log.rows.size(), stored.size()));
+    } else if (since.from_start) {
       remark(file, "it was cut back or has changed since it was read; `rouleau sync` reads it anew");
     } else {
       damage(file,
@@ -180,7 +189,8 @@ std::vector<Finding> verify_database(const Store& reader, const std::filesystem:
   for (std::filesystem::directory_iterator it(campaign_directory / "points", error), end; !error && it != end;
        it.increment(error)) {
     const std::string name = it->path().filename().string();
-    if (it->is_directory() && !reader.point(name))
+    std::error_code unseen;
+    if (it->is_directory(unseen) && !reader.point(name))
       findings.push_back(
           {name, "points/" + name, false, "the database does not know it; `rouleau rebuild` takes it in"});
   }

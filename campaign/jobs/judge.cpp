@@ -23,7 +23,9 @@ constexpr int io_failed = 74;
 constexpr int run_stopped = 75;
 
 double delay(double first_s, double growth, int retry) {
-  return std::min(first_s * std::pow(growth, retry - 1), std::max(longest_delay_s, first_s));
+  constexpr int most_growths = 32;  // far beyond the longest, and no overflow
+  return std::min(first_s * std::pow(growth, std::clamp(retry - 1, 0, most_growths)),
+                  std::max(longest_delay_s, first_s));
 }
 
 std::string end_of(const Evidence& evidence) {
@@ -38,9 +40,7 @@ std::string end_of(const Evidence& evidence) {
   return text;
 }
 
-bool has_progressed(const Recorded& recorded, const Evidence& evidence) {
-  return evidence.newest_checkpoint > recorded.checkpoint_at_start;
-}
+bool is_file_error(const Evidence& evidence) { return evidence.exit && evidence.exit->code == io_failed; }
 
 /// One more attempt without progress: a delayed retry, or the end of the retries.
 Verdict counted(const Recorded& recorded, const RetryPolicy& policy, bool is_io, std::string evidence) {
@@ -53,9 +53,17 @@ Verdict counted(const Recorded& recorded, const RetryPolicy& policy, bool is_io,
   }
   verdict.retry_in_s = is_io ? delay(policy.io_retry_delay_s, io_growth, verdict.retries_used)
                              : delay(policy.retry_delay_s, crash_growth, verdict.retries_used);
-  verdict.evidence += fmt::format("; no progress, retry {} of {} in {:.3g} s", verdict.retries_used, policy.retries,
+  verdict.evidence += fmt::format("; no progress, retry {} of {} in {:.4g} s", verdict.retries_used, policy.retries,
                                   verdict.retry_in_s);
   return verdict;
+}
+
+/// One more attempt without progress that is no fault of the run: a retry that does not count, later each time.
+Verdict uncounted(const Recorded& recorded, const RetryPolicy& policy, bool is_io, std::string evidence) {
+  const double retry_in_s = is_io ? delay(policy.io_retry_delay_s, io_growth, recorded.starts_in_vain)
+                                  : delay(policy.retry_delay_s, crash_growth, recorded.starts_in_vain);
+  return {State::crashed, true, recorded.retries_used, retry_in_s,
+          evidence + fmt::format("; not counted as a retry, again in {:.4g} s", retry_in_s)};
 }
 
 /// Whether an end was brought about from outside the run.
@@ -67,16 +75,14 @@ bool is_from_outside(Cause cause) {
 Verdict crashed(const Recorded& recorded, const Evidence& evidence, const RetryPolicy& policy) {
   if (has_progressed(recorded, evidence)) {
     // A full disk is waited out even after progress; the delay does not grow, for the progress is real.
-    const double retry_in_s = evidence.exit && evidence.exit->code == io_failed ? policy.io_retry_delay_s : 0;
+    const double retry_in_s = is_file_error(evidence) ? policy.io_retry_delay_s : 0;
     return {State::crashed, true, 0, retry_in_s,
             end_of(evidence) + fmt::format("; it reached checkpoint {}, so it goes on", evidence.newest_checkpoint)};
   }
-  if (!evidence.exit && is_from_outside(evidence.cause)) {
-    return {State::crashed, true, recorded.retries_used, policy.retry_delay_s,
-            end_of(evidence) + fmt::format("; not counted as a retry, again in {:.3g} s", policy.retry_delay_s)};
-  }
+  if (is_file_error(evidence)) return uncounted(recorded, policy, true, end_of(evidence));
+  if (!evidence.exit && is_from_outside(evidence.cause)) return uncounted(recorded, policy, false, end_of(evidence));
   // Whoever cancels a job wants it gone for a while.
-  const bool is_to_wait = evidence.exit ? evidence.exit->code == io_failed : evidence.cause == Cause::cancelled;
+  const bool is_to_wait = !evidence.exit && evidence.cause == Cause::cancelled;
   return counted(recorded, policy, is_to_wait, end_of(evidence));
 }
 
@@ -86,8 +92,17 @@ Verdict never_started(const Recorded& recorded, const Evidence& evidence) {
           fmt::format("attempt {} was planned, but no process was started for it", evidence.newest_attempt)};
 }
 
-Verdict finished(const Recorded& recorded, const Evidence& evidence) {
+/// Finished, but not all samples say so. A continuation passes over the checkpoints that count what is lost.
+Verdict incomplete(const Recorded& recorded, const Evidence& evidence, const RetryPolicy& policy) {
+  const std::string what = fmt::format("{}; but {}", end_of(evidence), evidence.sample_trouble);
+  if (evidence.newest_checkpoint >= 0) return counted(recorded, policy, false, what);
+  return {State::refused, true, recorded.retries_used, 0,
+          what + "; put the file back from a copy, or let `rouleau retry` compute the point anew"};
+}
+
+Verdict finished(const Recorded& recorded, const Evidence& evidence, const RetryPolicy& policy) {
   const ExitRecord& exit = *evidence.exit;
+  if (exit.step >= recorded.end_step && !evidence.sample_trouble.empty()) return incomplete(recorded, evidence, policy);
   if (exit.step >= recorded.end_step) return {State::done, true, 0, 0, end_of(evidence)};
   if (exit.step > exit.start_step) {
     return {State::stopped, true, 0, 0,
@@ -108,7 +123,7 @@ Verdict ended(const Recorded& recorded, const Evidence& evidence, const RetryPol
   const ExitRecord& exit = *evidence.exit;
   switch (exit.code) {
     case run_finished:
-      return finished(recorded, evidence);
+      return finished(recorded, evidence, policy);
     case bad_input:
       return {State::refused, true, recorded.retries_used, 0, end_of(evidence)};
     case physics_failed:
@@ -116,7 +131,8 @@ Verdict ended(const Recorded& recorded, const Evidence& evidence, const RetryPol
     case run_stopped: {
       // Stopping without a single step must not become a busy loop.
       const bool has_stepped = exit.step > exit.start_step;
-      return {State::stopped, true, has_stepped ? 0 : recorded.retries_used, has_stepped ? 0 : policy.retry_delay_s,
+      const double retry_in_s = delay(policy.retry_delay_s, crash_growth, recorded.starts_in_vain);
+      return {State::stopped, true, has_stepped ? 0 : recorded.retries_used, has_stepped ? 0 : retry_in_s,
               end_of(evidence)};
     }
     default:
@@ -153,13 +169,21 @@ Verdict judge(const Recorded& recorded, const Evidence& evidence, const RetryPol
   return verdict;
 }
 
-Verdict judge_failed_launch(const Recorded& recorded, const std::string& why, const RetryPolicy& policy) {
-  return counted(recorded, policy, true, fmt::format("attempt {} could not be started: {}", recorded.attempt, why));
+Verdict judge_failed_launch(const Recorded& recorded, LaunchTrouble trouble, const std::string& why,
+                            const RetryPolicy& policy) {
+  const std::string what = fmt::format("attempt {} could not be started: {}", recorded.attempt, why);
+  return trouble == LaunchTrouble::damage ? counted(recorded, policy, true, what)
+                                          : uncounted(recorded, policy, true, what);
+}
+
+bool has_progressed(const Recorded& recorded, const Evidence& evidence) {
+  return evidence.newest_checkpoint > recorded.checkpoint_at_start;
 }
 
 bool is_early_failure(const Recorded& recorded, const Evidence& evidence, const Verdict& verdict) {
   const bool is_bad = verdict.state == State::crashed || verdict.state == State::exhausted ||
                       verdict.state == State::failed || verdict.state == State::refused;
+  if (is_file_error(evidence) || !evidence.sample_trouble.empty()) return false;
   if (!evidence.exit && (evidence.cause == Cause::preempted || evidence.cause == Cause::node)) return false;
   return verdict.attempt_ended && is_bad && !has_progressed(recorded, evidence);
 }

@@ -37,6 +37,7 @@ struct Evidence {
   Cause cause = Cause::none;            ///< what the scheduler says of an end without exit.json
   bool can_never_start = false;         ///< the scheduler will never start such a job
   std::string engine_words;             ///< the scheduler's side of it, in plain words; "" = it has none
+  std::string sample_trouble;           ///< what the samples lack of a run that says it is finished; "" = nothing
 };
 
 /// What was recorded before.
@@ -47,6 +48,8 @@ struct Recorded {
   std::int64_t checkpoint_at_start = -1;  ///< newest checkpoint when it was started; -1 = none
   int retries_used = 0;
   std::int64_t end_step = 0;  ///< steps of the run as the study asks for it now; 0 = not known
+  int starts_in_vain =
+      1;  ///< how many of the newest attempts, this one included, had the same checkpoint to start from
 };
 
 /// How often and how fast to retry; from the study's [execution].
@@ -71,19 +74,32 @@ struct Verdict {
 ///     76, anything else, or no exit.json -> crashed: retried at once after progress, else counted and delayed
 ///
 /// "Progress" is a checkpoint newer than the one that the attempt was started from. A process that is alive or unknown
-/// without an exit record changes nothing: silence is not evidence.
+/// without an exit record changes nothing: silence is not evidence. A run that says 0 without all of its samples is not
+/// done: it is counted and goes back to a checkpoint that counts only sound ones.
 ///
-/// Ends that the scheduler brought about, not the run (preempted, node lost, failed launch, forgotten job), are retried
-/// without being counted. What it can never start is refused.
+/// Ends that are not the run's doing (74; preempted, node lost, failed launch, forgotten job) are retried for ever,
+/// without being counted: each time without progress after a longer pause. What can never start is refused.
 ///
 /// An attempt that was planned but for which nothing was ever started (its manager died in between) is taken back
 /// without being counted.
 [[nodiscard]] Verdict judge(const Recorded& recorded, const Evidence& evidence, const RetryPolicy& policy);
 
-/// The same for an attempt that the engine could not start: counted and delayed like a file error.
-[[nodiscard]] Verdict judge_failed_launch(const Recorded& recorded, const std::string& why, const RetryPolicy& policy);
+/// Why an attempt could not be started.
+enum class LaunchTrouble {
+  files,   ///< its directory could not be written: disk, quota, medium
+  engine,  ///< the system or the scheduler did not start the program
+  damage,  ///< point.json or run.ini is not what `init` wrote
+};
 
-/// Whether an end is one that many points may share because something common is wrong: bad, and without progress.
+/// The same for an attempt that was never started: delayed like a file error. Damage is counted, for no waiting mends
+/// it; anything else is not.
+[[nodiscard]] Verdict judge_failed_launch(const Recorded& recorded, LaunchTrouble trouble, const std::string& why,
+                                          const RetryPolicy& policy);
+
+[[nodiscard]] bool has_progressed(const Recorded& recorded, const Evidence& evidence);
+
+/// Whether an end is one that many points may share because something common is wrong with them: bad, without progress,
+/// and neither a file error nor a lost node, which are waited out.
 [[nodiscard]] bool is_early_failure(const Recorded& recorded, const Evidence& evidence, const Verdict& verdict);
 
 }  // namespace rouleau::campaign

@@ -2,26 +2,52 @@
 // The connection: how the file is opened, and SQLite's errors as ours.
 #include "store/database.hpp"
 
+#include <fcntl.h>
 #include <sqlite3.h>
+#include <sys/file.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
 #include <cmath>
+#include <fstream>
+#include <thread>
 
 #include "study/error.hpp"
 
 namespace rouleau::campaign {
 namespace {
 
-constexpr int reader_wait_ms = 1000;
+using Clock = std::chrono::steady_clock;
+
+constexpr auto reader_wait = std::chrono::seconds(1);
 constexpr int writer_wait_ms = 10000;
+constexpr const char* probe = "SELECT count(*) FROM sqlite_schema;";
+constexpr auto shortest_pause = std::chrono::milliseconds(1), longest_pause = std::chrono::milliseconds(25);
+
+/// Who holds the campaign's lock beside the database, in the holder's own words, if anybody does.
+std::string writer_of(const std::filesystem::path& file) {
+  const std::filesystem::path lock = file.parent_path() / ".lock";
+  const int descriptor = ::open(lock.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool is_held = descriptor >= 0 && ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  if (descriptor >= 0) ::close(descriptor);
+  std::string holder;
+  if (is_held) {
+    std::ifstream text(lock);
+    std::getline(text, holder);
+  }
+  return holder.empty() ? "another process" : holder;
+}
 
 [[noreturn]] void fail_with(sqlite3* connection, std::string_view doing) {
   const char* name = connection == nullptr ? nullptr : sqlite3_db_filename(connection, "main");
   const int code = connection == nullptr ? SQLITE_NOMEM : sqlite3_extended_errcode(connection);
-  const char* advice = "`rouleau verify` checks the campaign";
+  std::string advice = "`rouleau verify` checks the campaign";
   switch (code & 0xff) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      advice = "another process is writing; try again in a moment";
+      advice = writer_of(name == nullptr ? "" : name) + " is writing; try again in a moment";
       break;
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT:
@@ -58,18 +84,40 @@ int open_flags(Access access) {
   return SQLITE_OPEN_READONLY;
 }
 
-/// A writer that was killed in the middle of a commit leaves a journal that the next opener must roll back, which a
-/// read-only connection cannot: a writing one does it here, by reading a page, and changes nothing else.
-void roll_back_killed_writer(const std::filesystem::path& file) {
-  const Database writer(file, Access::read_write);
-  static_cast<void>(writer.select_integer("SELECT count(*) FROM sqlite_schema"));
-}
-
 }  // namespace
+
+/// How long a reader still waits for writers: a second for all its statements together. One that nobody has kept
+/// waiting for a second starts afresh, so that a long export does not end because of many short waits.
+class Database::Patience {
+ public:
+  /// Waits a little.   returns false when there is no patience left
+  bool wait() {
+    const Clock::time_point now = Clock::now();
+    if (now - last_ > reader_wait) {
+      end_ = now + reader_wait;
+      pause_ = shortest_pause;
+    }
+    last_ = now;
+    if (now >= end_) return false;
+    std::this_thread::sleep_for(std::min<Clock::duration>(pause_, end_ - now));
+    pause_ = std::min(2 * pause_, longest_pause);
+    last_ = Clock::now();
+    return true;
+  }
+
+ private:
+  Clock::time_point last_ = Clock::now() - 2 * reader_wait;  ///< when it last waited
+  Clock::time_point end_;                                    ///< of the patience
+  std::chrono::milliseconds pause_ = shortest_pause;
+};
 
 void Database::Close::operator()(sqlite3* connection) const { sqlite3_close_v2(connection); }
 
-Database::Database(const std::filesystem::path& file, Access access) : file_(file) {
+Database::Database(const std::filesystem::path& file, Access access)
+    : Database(file, access, access == Access::read_only ? std::make_shared<Patience>() : nullptr) {}
+
+Database::Database(const std::filesystem::path& file, Access access, std::shared_ptr<Patience> patience)
+    : file_(file), patience_(std::move(patience)) {
   if (access == Access::create && std::filesystem::exists(file))
     fail(Exit::failed, "{}: exists already; it is not written over", file.string());
   if (access != Access::create && !std::filesystem::exists(file))
@@ -78,14 +126,20 @@ Database::Database(const std::filesystem::path& file, Access access) : file_(fil
   const int result = sqlite3_open_v2(file.c_str(), &connection, open_flags(access) | SQLITE_OPEN_EXRESCODE, nullptr);
   connection_.reset(connection);
   if (result != SQLITE_OK) fail_with(connection, "opening");
-  sqlite3_busy_timeout(connection, access == Access::read_only ? reader_wait_ms : writer_wait_ms);
+  if (patience_)
+    sqlite3_busy_handler(
+        connection, [](void* of_reader, int) { return static_cast<Patience*>(of_reader)->wait() ? 1 : 0; },
+        patience_.get());
+  else
+    sqlite3_busy_timeout(connection, writer_wait_ms);
 
   if (access == Access::read_only) {
-    sqlite3_stmt* probe = nullptr;
-    int code = sqlite3_prepare_v2(connection, "SELECT count(*) FROM sqlite_schema", -1, &probe, nullptr);
-    if (code == SQLITE_OK) code = sqlite3_step(probe);
-    sqlite3_finalize(probe);
-    if ((code & 0xff) == SQLITE_READONLY || (code & 0xff) == SQLITE_CANTOPEN) roll_back_killed_writer(file);
+    const int code = sqlite3_exec(connection, probe, nullptr, nullptr, nullptr) & 0xff;
+    if (code == SQLITE_BUSY) fail_with(connection, "reading");
+    // A writer that was killed in the middle of a commit leaves a journal that the next opener must roll back, which a
+    // read-only connection cannot: a writing one does it here, by reading a page, and changes nothing else.
+    if (code == SQLITE_READONLY || code == SQLITE_CANTOPEN)
+      Database(file, Access::read_write, patience_).execute(probe);
     execute("PRAGMA query_only = ON;");
   } else {
     // EXTRA also syncs the directory after the journal is gone: a commit survives the loss of power.

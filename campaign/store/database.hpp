@@ -85,7 +85,7 @@ class Statement {
 };
 
 enum class Access {
-  read_only,   ///< never changes the file, waits at most one second for a writer
+  read_only,   ///< never changes the file, waits at most one second for a writer, in all its statements together
   read_write,  ///< waits up to ten seconds
   create,      ///< as read_write; the file must not exist
 };
@@ -109,10 +109,15 @@ class Database {
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
  private:
+  class Patience;
   struct Close {
     void operator()(sqlite3* connection) const;
   };
+  /// A writer with a patience waits no longer than that; one without, ten seconds.
+  Database(const std::filesystem::path& file, Access access, std::shared_ptr<Patience> patience);
+
   std::filesystem::path file_;
+  std::shared_ptr<Patience> patience_;
   std::unique_ptr<sqlite3, Close> connection_;
 };
 

@@ -184,17 +184,36 @@ TEST(CancelledPoint, ThatIsQueuedLeavesNoJobThatRuns) {
       << "it was run to its end";
 }
 
+bool are_done(const FakeCampaign& campaign) {
+  const std::vector<PointRow> points = campaign.program.store().points();
+  return std::all_of(points.begin(), points.end(), [](const PointRow& point) { return point.state == State::done; });
+}
+
 TEST(SelfSustaining, GoesOnWithNobodyThere) {
   const FakeCampaign campaign("1:5:1", "jobs = 2\n");
   const auto capture = campaign.program.rouleau({"run", "c", "--engine", "slurm", "--self-sustaining"});
   EXPECT_EQ(capture.status, 0) << capture.err;
-  EXPECT_TRUE(eventually([&] {
-    for (const PointRow& point : campaign.program.store().points()) {
-      if (point.state != State::done) return false;
-    }
-    return true;
-  })) << campaign.status_text();
+  EXPECT_TRUE(eventually([&] { return are_done(campaign); })) << campaign.status_text();
   EXPECT_EQ(campaign.slurm.jobs().size(), 5U);
+}
+
+TEST(SelfSustaining, IsHowARebuiltCampaignGoesOn) {
+  const FakeCampaign campaign("4, 5", "jobs = 1\n");
+  campaign.program.write_study("fluid.lambda = 4, 5", CampaignProgram::execution());  // the study says nothing of Slurm
+  ASSERT_EQ(campaign.program.init().status, 0);
+  campaign.script(1, "hang 60\n");
+  ASSERT_EQ(campaign.program.rouleau({"run", "c", "--engine", "slurm", "--self-sustaining"}).status, 0);
+  ASSERT_TRUE(eventually(
+      [&] { return std::filesystem::exists(campaign.program.run_directory(1) / "checkpoints/000000000050.h5"); }));
+  std::filesystem::remove(campaign.program.campaign() / "campaign.db");
+  const auto rebuilt = campaign.program.rouleau({"rebuild", "c"});
+  ASSERT_EQ(rebuilt.status, 0) << rebuilt.err;
+  campaign.slurm.control({"end", campaign.slurm.jobs().at(0).id, "PREEMPTED", "kill"});
+  ASSERT_EQ(campaign.sync().status, 0);
+  EXPECT_TRUE(eventually([&] { return are_done(campaign); })) << campaign.status_text();
+  for (const PointRow& point : campaign.program.store().points()) {
+    for (const AttemptRow& attempt : campaign.program.store().attempts(point.key)) EXPECT_EQ(attempt.engine, "slurm");
+  }
 }
 
 TEST(Migration, ToSlurmAndBackKeepsEveryBit) {

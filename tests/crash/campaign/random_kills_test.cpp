@@ -71,16 +71,15 @@ std::string real_study(int ranks, int kills) {
 }
 
 /// A line for share/soak.sh: what the kills have cost.
-void report(const CampaignOutcome& expected, const CampaignOutcome& found, int kills) {
+void report(const CampaignOutcome& expected, const CampaignOutcome& found, int kills, int manual_steps) {
   std::size_t lost_samples = 0, wrong_resumes = 0;
   for (std::size_t i = 0; i < expected.points.size(); ++i) {
     const std::size_t all = expected.samples[i].size(), kept = found.samples[i].size();
     lost_samples += all > kept ? all - kept : 0;
     wrong_resumes += found.logs[i] != expected.logs[i] ? 1 : 0;
   }
-  // Nothing but `rouleau run` has been called, or the test had failed: no manual step.
-  fmt::print("{{\"kills\": {}, \"lost_samples\": {}, \"wrong_resumes\": {}, \"manual_steps\": 0}}\n", kills,
-             lost_samples, wrong_resumes);
+  fmt::print("{{\"kills\": {}, \"lost_samples\": {}, \"wrong_resumes\": {}, \"manual_steps\": {}}}\n", kills,
+             lost_samples, wrong_resumes, manual_steps);
 }
 
 /// Runs `disturbed` under random kills, then to its end; expects what `undisturbed` has.
@@ -117,7 +116,8 @@ void expect_no_trace(const CampaignProgram& undisturbed, const CampaignProgram& 
   const CampaignOutcome expected = outcome_of(undisturbed);
   const CampaignOutcome found = outcome_of(disturbed);
   ASSERT_EQ(found.points.size(), expected.points.size());
-  if (is_soak()) report(expected, found, done);
+  // Nothing but `rouleau run` is called: where it does not do, somebody would have to take a step.
+  if (is_soak()) report(expected, found, done, capture.status != 0 ? 1 : 0);
   for (std::size_t i = 0; i < expected.points.size(); ++i) {
     EXPECT_EQ(found.points[i], expected.points[i]) << i;
     EXPECT_EQ(found.parameters[i], expected.parameters[i]) << i;

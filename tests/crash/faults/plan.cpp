@@ -28,9 +28,11 @@ class PrintTally : public ::testing::Environment {
   void TearDown() override {
     const Tally& t = tally();
     fmt::print(
-        "{{\"faults_injected\": {}, \"kills\": {}, \"power_losses\": {}, \"freezes\": {}, \"lost_samples\": {}, "
-        "\"wrong_resumes\": {}}}\n",
-        t.faults_injected, t.kills, t.power_losses, t.freezes, t.lost_samples, t.wrong_resumes);
+        "{{\"faults_injected\": {}, \"injected_kills\": {}, \"power_losses\": {}, \"freezes\": {}, \"lost_samples\": "
+        "{}, "
+        "\"wrong_resumes\": {}, \"manual_steps\": {}}}\n",
+        t.faults_injected, t.injected_kills, t.power_losses, t.freezes, t.lost_samples, t.wrong_resumes,
+        t.manual_steps);
     std::fflush(stdout);
   }
 };
@@ -76,7 +78,7 @@ Tally& tally() {
 
 void count(const Injection& injection) {
   ++tally().faults_injected;
-  if (injection.fault == Fault::kill || injection.fault == Fault::torn) ++tally().kills;
+  if (injection.fault == Fault::kill || injection.fault == Fault::torn) ++tally().injected_kills;
 }
 
 }  // namespace rouleau::testing

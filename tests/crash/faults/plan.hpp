@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which faults a test injects: a sample of all calls and kinds in ctest; with SOAK in the environment every kind at
-// every call, or at FAULTS of them. And the count of what was done, printed as one line of JSON.
+// every call, or at FAULTS (a number, not per cent) of those of each test. And the count of what was done, printed as
+// one line of JSON.
 #pragma once
 
 #include <cstdint>
@@ -22,9 +23,14 @@ namespace rouleau::testing {
 /// About `sample` of the numbers 1 to `count`, spread evenly; all of them in the long form; or FAULTS of them.
 [[nodiscard]] std::vector<std::int64_t> planned_places(std::int64_t count, std::int64_t sample);
 
-/// What all tests of the program have done.
+/// What all tests of the program have done, and what it has cost.
 struct Tally {
-  std::int64_t faults_injected = 0, kills = 0, power_losses = 0, freezes = 0, lost_samples = 0, wrong_resumes = 0;
+  std::int64_t faults_injected = 0;  ///< all of them
+  std::int64_t injected_kills = 0;   ///< those of them that killed
+  std::int64_t power_losses = 0, freezes = 0;
+  std::int64_t lost_samples = 0;   ///< ends whose samples were others
+  std::int64_t wrong_resumes = 0;  ///< checkpoints taken for damaged, or campaigns with another end
+  std::int64_t manual_steps = 0;   ///< times that the plain command did not do
 };
 Tally& tally();
 /// Counts a fault that has happened.

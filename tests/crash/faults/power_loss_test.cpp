@@ -97,6 +97,7 @@ TEST(PowerLoss, AtAnyCallOfManagerAndSolversLeavesNoTraceInTheCampaign) {
     }
     const auto run = program.run();
     EXPECT_EQ(run.status, 0) << run.err;
+    tally().manual_steps += run.status != 0 ? 1 : 0;
     const CampaignOutcome found = outcome_of(program);
     if (found.logs != end.logs) ++tally().lost_samples;
     EXPECT_EQ(found, end);

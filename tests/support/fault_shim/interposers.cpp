@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
+#include <sys/sendfile.h>
 #include <sys/stat.h>
 #include <sys/uio.h>
 #include <unistd.h>
@@ -166,6 +167,21 @@ ssize_t pwrite(int file, const void* bytes, size_t count, off_t offset) {
 }
 ssize_t pwrite64(int file, const void* bytes, size_t count, off64_t offset) {
   return pwrite_watched(file, bytes, count, offset);
+}
+/// By which the C++ library copies files. As one write: what it does to the target can fail, halve and kill like any.
+ssize_t sendfile(int target, int source, off_t* offset, size_t count) noexcept {
+  static auto* const real = original<ssize_t(int, int, off_t*, size_t)>("sendfile");
+  if (!is_watched(path_of(target))) return real(target, source, offset, count);
+  std::string bytes(count, '\0');
+  const ssize_t got =
+      offset != nullptr ? ::pread(source, bytes.data(), count, *offset) : ::read(source, bytes.data(), count);
+  if (got <= 0) return got;
+  const ssize_t done = write(target, bytes.data(), static_cast<size_t>(got));
+  if (done > 0 && offset != nullptr) *offset += done;
+  return done;
+}
+ssize_t sendfile64(int target, int source, off64_t* offset, size_t count) noexcept {
+  return sendfile(target, source, offset, count);
 }
 int ftruncate(int file, off_t length) noexcept { return truncate_watched(file, length); }
 int ftruncate64(int file, off64_t length) noexcept { return truncate_watched(file, length); }

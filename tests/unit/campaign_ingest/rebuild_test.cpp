@@ -9,6 +9,7 @@
 namespace rouleau::campaign {
 namespace {
 
+using ::rouleau::testing::content_of;
 using ::rouleau::testing::set_content;
 using ::testing::Contains;
 using ::testing::HasSubstr;
@@ -18,6 +19,14 @@ using testing::log_lines;
 
 class RebuildTest : public ::testing::Test {
  protected:
+  /// A point that its attempt brought to its end, with all samples.
+  Point finished_point(int ordinal) {
+    Point point = campaign_.add_point(ordinal);
+    campaign_.add_attempt(point.key, 1);
+    campaign_.end_attempt(point.key, 1, 0, 0, 100000);
+    set_content(campaign_.log(point.key), log_header + log_lines(0, 100000));
+    return point;
+  }
   /// Rebuilds into a new file and opens it.
   Store rebuilt(Life life = Life::dead) {
     const std::filesystem::path file = campaign_.path() / fmt::format("rebuilt{}.db", ++count_);
@@ -93,6 +102,7 @@ TEST_F(RebuildTest, StateFollowsFromTheLastAttempt) {
   const std::string key = campaign_.add_point(1).key;
   EXPECT_EQ(state_of(key), State::waiting);
   campaign_.add_attempt(key, 1);
+  set_content(campaign_.log(key), log_header + log_lines(0, 100000));
   EXPECT_EQ(state_of(key), State::crashed);
   EXPECT_EQ(state_of(key, Life::alive), State::running);
   EXPECT_EQ(state_of(key, Life::unknown), State::running);
@@ -131,18 +141,29 @@ TEST_F(RebuildTest, DecisionsOfTheUserAreKept) {
 }
 
 TEST_F(RebuildTest, DoneRunWithALaterEndGoesOn) {
-  Point point = campaign_.add_point(1);
-  campaign_.add_attempt(point.key, 1);
-  campaign_.end_attempt(point.key, 1, 0, 0, 100000);
+  Point point = finished_point(1);
   point.facts.steps = 200000;
   write_point(campaign_.run(point.key) / "point.json", point);
   EXPECT_EQ(state_of(point.key), State::stopped);
 }
 
+TEST_F(RebuildTest, RunWithoutAllItsSamplesIsNotDone) {
+  const std::string key = finished_point(1).key;
+  EXPECT_EQ(state_of(key), State::done);
+  std::string damaged = content_of(campaign_.log(key));
+  damaged[damaged.find("\n1000,") + 8] ^= 1;
+  for (const std::string& log : {damaged, log_header + log_lines(0, 99900)}) {
+    set_content(campaign_.log(key), log);
+    EXPECT_EQ(state_of(key), State::refused) << "there is no checkpoint to go back to";
+    campaign_.add_checkpoint(key, 100000);
+    EXPECT_EQ(state_of(key), State::crashed);
+    EXPECT_THAT(rebuilt().events(key).back().evidence, HasSubstr("samples.csv"));
+    std::filesystem::remove(campaign_.run(key) / "checkpoints" / "000000100000.h5");
+  }
+}
+
 TEST_F(RebuildTest, EventsAreReconstructedWithTheirTimes) {
-  const std::string key = campaign_.add_point(1).key;
-  campaign_.add_attempt(key, 1);
-  campaign_.end_attempt(key, 1, 0, 0, 100000);
+  const std::string key = finished_point(1).key;
   const std::vector<EventRow> events = rebuilt().events(key);
   ASSERT_EQ(events.size(), 3U);
   EXPECT_EQ(events[1].to, State::running);

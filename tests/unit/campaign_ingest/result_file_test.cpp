@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "study/record.hpp"
 #include "written_campaign.hpp"
 
 namespace rouleau::campaign {
@@ -42,6 +43,11 @@ TEST(ResultFile, HoldsWindowMeansErrorsClassCostAndProvenance) {
   EXPECT_EQ(json["provenance"][1]["git"], "abc");
   EXPECT_TRUE(json["provenance"][0]["exit_code"].is_null());
   EXPECT_FALSE(std::filesystem::exists(file.string() + ".tmp"));
+
+  std::string text = ::rouleau::testing::content_of(file);
+  EXPECT_TRUE(parse_record(text).contains("check"));
+  text[text.find("slipper")] = 'S';
+  EXPECT_THROW(static_cast<void>(parse_record(text)), Damage);
 }
 
 }  // namespace

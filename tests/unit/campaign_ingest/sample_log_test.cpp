@@ -186,6 +186,41 @@ TEST_F(SampleLogTest, ValueThatIsNotFiniteIsMarked) {
   EXPECT_TRUE(part.rows[2].finite);
 }
 
+TEST_F(SampleLogTest, LogOfManyBlocksIsReadWholeAndInParts) {
+  const std::string text = log_header + log_lines(0, 3'000'000);  // 3 MB
+  set_content(file_, text);
+  const LogPart whole = read();
+  EXPECT_EQ(whole.rows.size(), 30001U);
+  EXPECT_EQ(whole.mark.offset, static_cast<std::int64_t>(text.size()));
+  set_content(file_, log_header + log_lines(0, 1000));
+  const SampleMark mark = read().mark;
+  set_content(file_, text + "31");
+  const LogPart rest = read(mark);
+  EXPECT_EQ(rest.rows.size(), 30001U - 11);
+  EXPECT_EQ(rest.unfinished_bytes, 2);
+  EXPECT_EQ(rest.mark, whole.mark);
+}
+
+TEST_F(SampleLogTest, LineWithoutEndIsDamageAndNeverHeldInMemory) {
+  set_content(file_, log_header + log_line(0, "0.5"));
+  std::filesystem::resize_file(file_, std::uintmax_t{1} << 30);  // a hole: all zeros
+  const LogPart part = read();
+  EXPECT_EQ(part.rows.size(), 1U);
+  EXPECT_THAT(part.warnings, ElementsAre(HasSubstr("line 3 (byte ")));
+  EXPECT_THAT(part.warnings, ElementsAre(HasSubstr("does not end within 65536 bytes")));
+  set_content(file_, "");
+  std::filesystem::resize_file(file_, std::uintmax_t{1} << 30);
+  EXPECT_THAT(read().warnings, ElementsAre(HasSubstr("line 1 (byte 0): it does not end")));
+}
+
+TEST_F(SampleLogTest, LogThatLostItsHeaderIsNoLogThatWasCutBack) {
+  set_content(file_, log_header + log_lines(0, 1000));
+  const SampleMark mark = read().mark;
+  set_content(file_, "");
+  EXPECT_THAT(read().warnings, IsEmpty()) << "never read before: it is just being made";
+  EXPECT_THAT(read(mark).warnings, ElementsAre(HasSubstr("line 1 (byte 0)")));
+}
+
 TEST_F(SampleLogTest, MissingLogIsEmptyAndVanishedOneIsSaid) {
   EXPECT_TRUE(read().rows.empty());
   EXPECT_THAT(read().warnings, IsEmpty());

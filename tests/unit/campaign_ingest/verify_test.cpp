@@ -135,7 +135,15 @@ TEST_F(VerifyTest, NewsAreRemarksOnly) {
                           remark("attempts/2", "does not know this attempt"), remark("result.json", "missing")));
 }
 
+TEST_F(VerifyTest, LogOfAFinishedRunThatIsGoneOrShorterIsFound) {
+  set_content(campaign_.log(key_), log_header + log_lines(0, 50000));
+  EXPECT_THAT(findings(), ElementsAre(damage("samples.csv", "it has 501 samples, the database keeps 1001")));
+  std::filesystem::remove(campaign_.log(key_));
+  EXPECT_THAT(findings(), ElementsAre(damage("samples.csv", "it has 0 samples, the database keeps 1001")));
+}
+
 TEST_F(VerifyTest, LogThatWasCutBackIsARemark) {
+  store_.change_state(key_, State::done, State::stopped, "a later end");
   set_content(campaign_.log(key_), log_header + log_lines(0, 50000));
   EXPECT_THAT(findings(), ElementsAre(remark("samples.csv", "cut back")));
 }

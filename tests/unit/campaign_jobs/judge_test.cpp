@@ -109,18 +109,54 @@ TEST(CampaignJudge, NoRetriesMeansNone) {
   EXPECT_EQ(judge(running(0), dead(200), {0, 10, 60}).state, State::crashed) << "progress needs no retry";
 }
 
+/// The n-th start from the same checkpoint, after so many counted crashes.
+Recorded in_vain(int starts, int retries_used = 0) {
+  Recorded recorded = running(retries_used);
+  recorded.starts_in_vain = starts;
+  return recorded;
+}
+
 TEST(CampaignJudge, FileErrorsWaitLonger) {
-  EXPECT_EQ(judge(running(0), ended(74, 100), policy).retry_in_s, 60);
-  EXPECT_EQ(judge(running(1), ended(74, 100), policy).retry_in_s, 240);
-  EXPECT_EQ(judge(running(1), ended(74, 100, 200), policy).retry_in_s, 60)
+  EXPECT_EQ(judge(in_vain(1), ended(74, 100), policy).retry_in_s, 60);
+  EXPECT_EQ(judge(in_vain(2), ended(74, 100), policy).retry_in_s, 240);
+  EXPECT_EQ(judge(in_vain(2), ended(74, 100, 200), policy).retry_in_s, 60)
       << "a full disk after progress is still full";
 }
 
-TEST(CampaignJudge, BackOffHasAnEnd) { EXPECT_EQ(judge(running(500), dead(), {1000, 10, 60}).retry_in_s, 3600); }
+TEST(CampaignJudge, FileErrorsUseUpNoRetriesHoweverManyThereAre) {
+  for (const int starts : {1, 4, 100, 100000}) {
+    const Verdict verdict = judge(in_vain(starts, policy.retries), ended(74, 100), policy);
+    EXPECT_EQ(verdict.state, State::crashed) << starts;
+    EXPECT_EQ(verdict.retries_used, policy.retries) << "crashes are counted apart";
+    EXPECT_LE(verdict.retry_in_s, 3600) << starts;
+    EXPECT_THAT(verdict.evidence, HasSubstr("not counted as a retry"));
+  }
+  EXPECT_EQ(judge(in_vain(100000), ended(74, 100), {3, 0, 0}).retry_in_s, 0);
+}
+
+TEST(CampaignJudge, BackOffHasAnEnd) {
+  EXPECT_EQ(judge(running(500), dead(), {1000, 10, 60}).retry_in_s, 3600);
+  EXPECT_EQ(judge(in_vain(100000), ended(74, 100), policy).retry_in_s, 3600);
+}
 
 TEST(CampaignJudge, StoppingWithoutAStepIsNoBusyLoop) {
   EXPECT_EQ(judge(running(), ended(75, 500), policy).retry_in_s, 0);
-  EXPECT_EQ(judge(running(), ended(75, 100), policy).retry_in_s, 10);
+  EXPECT_EQ(judge(in_vain(1), ended(75, 100), policy).retry_in_s, 10);
+  EXPECT_EQ(judge(in_vain(4), ended(75, 100), policy).retry_in_s, 80);
+}
+
+TEST(CampaignJudge, FinishedRunWithoutAllItsSamplesIsNotDone) {
+  Evidence evidence = ended(0, 1000, 1000);
+  evidence.sample_trouble = "samples.csv: line 7 is damaged";
+  const Verdict verdict = judge(running(), evidence, policy);
+  EXPECT_EQ(verdict.state, State::crashed) << "a continuation takes an older checkpoint";
+  EXPECT_EQ(verdict.retries_used, 1);
+  EXPECT_THAT(verdict.evidence, HasSubstr("but samples.csv: line 7 is damaged"));
+  EXPECT_EQ(judge(running(policy.retries), evidence, policy).state, State::exhausted) << "but not for ever";
+  EXPECT_FALSE(is_early_failure(running(), evidence, verdict));
+  evidence.newest_checkpoint = -1;
+  EXPECT_EQ(judge(running(), evidence, policy).state, State::refused) << "it would compute everything anew";
+  EXPECT_THAT(judge(running(), evidence, policy).evidence, HasSubstr("rouleau retry"));
 }
 
 TEST(CampaignJudge, FinishedForAnEarlierEndGoesOn) {
@@ -186,13 +222,19 @@ TEST(CampaignJudge, AttemptStartedByHandIsAdopted) {
   EXPECT_NE(verdict.evidence, "");
 }
 
-TEST(CampaignJudge, FailedLaunchIsCountedLikeAFileError) {
-  const Verdict verdict = judge_failed_launch(running(1), "no such file", policy);
-  EXPECT_EQ(verdict.state, State::crashed);
-  EXPECT_EQ(verdict.retries_used, 2);
-  EXPECT_EQ(verdict.retry_in_s, 240);
-  EXPECT_THAT(verdict.evidence, HasSubstr("no such file"));
-  EXPECT_EQ(judge_failed_launch(running(3), "x", policy).state, State::exhausted);
+TEST(CampaignJudge, FailedLaunchIsDelayedLikeAFileErrorAndNeverGivenUp) {
+  for (const LaunchTrouble trouble : {LaunchTrouble::files, LaunchTrouble::engine}) {
+    const Verdict verdict = judge_failed_launch(in_vain(2, policy.retries), trouble, "no such file", policy);
+    EXPECT_EQ(verdict.state, State::crashed);
+    EXPECT_EQ(verdict.retries_used, policy.retries);
+    EXPECT_EQ(verdict.retry_in_s, 240);
+    EXPECT_THAT(verdict.evidence, HasSubstr("no such file"));
+  }
+}
+
+TEST(CampaignJudge, DamageThatNoWaitingMendsUsesUpTheRetries) {
+  EXPECT_EQ(judge_failed_launch(running(1), LaunchTrouble::damage, "x", policy).retries_used, 2);
+  EXPECT_EQ(judge_failed_launch(running(3), LaunchTrouble::damage, "x", policy).state, State::exhausted);
 }
 
 TEST(CampaignJudge, EarlyFailureIsOneWithoutProgress) {
@@ -206,6 +248,7 @@ TEST(CampaignJudge, EarlyFailureIsOneWithoutProgress) {
   EXPECT_FALSE(is_early(ended(70, 500, 450)));
   EXPECT_FALSE(is_early(ended(0, 1000)));
   EXPECT_FALSE(is_early(ended(75, 100)));
+  EXPECT_FALSE(is_early(ended(74, 100))) << "a full disk is waited out";
 }
 
 Evidence ended_by_slurm(Cause cause, std::int64_t newest_checkpoint = 100) {
@@ -222,6 +265,14 @@ TEST(CampaignJudge, WhatTheSchedulerDidIsNoRetryOfTheRun) {
     EXPECT_EQ(verdict.retries_used, policy.retries);
     EXPECT_GT(verdict.retry_in_s, 0);
     EXPECT_THAT(verdict.evidence, HasSubstr("Slurm: words"));
+  }
+}
+
+TEST(CampaignJudge, WhatTheSchedulerDoesAgainAndAgainIsAnsweredEverMoreSlowly) {
+  for (const Cause cause : {Cause::preempted, Cause::node, Cause::launch, Cause::unclear}) {
+    EXPECT_EQ(judge(in_vain(1), ended_by_slurm(cause), policy).retry_in_s, 10);
+    EXPECT_EQ(judge(in_vain(4), ended_by_slurm(cause), policy).retry_in_s, 80);
+    EXPECT_EQ(judge(in_vain(400), ended_by_slurm(cause), policy).retry_in_s, 3600);
   }
 }
 

@@ -2,7 +2,9 @@
 // The connection: waiting, killed writers, damage.
 #include "store/database.hpp"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -85,6 +87,30 @@ TEST_F(DatabaseTest, ReaderGivesUpAfterASecond) {
       seconds_of([&] { error = error_of([&] { (void)reader.select_integer("SELECT count(*) FROM t"); }); });
   EXPECT_THAT(error, HasSubstr("another process is writing"));
   EXPECT_LT(waited, 2.0);  // the busy time-out is 1 s; the rest is a loaded machine
+}
+
+TEST_F(DatabaseTest, ReaderNamesTheWriterThatItCannotWaitFor) {
+  const std::filesystem::path lock = directory_.path() / ".lock";
+  ::rouleau::testing::set_content(lock, "`rouleau run` (process 7 on node)\n");
+  const Database writer(file_, Access::read_write);
+  writer.execute("BEGIN EXCLUSIVE;");
+  const auto error_of_reader = [&] { return error_of([&] { Database(file_, Access::read_only); }); };
+  EXPECT_THAT(error_of_reader(), HasSubstr("another process is writing")) << "that of an earlier holder";
+  const int held = ::open(lock.c_str(), O_RDONLY);
+  ASSERT_EQ(::flock(held, LOCK_EX), 0);
+  EXPECT_THAT(error_of_reader(), HasSubstr("`rouleau run` (process 7 on node) is writing; try again in a moment"));
+  ::close(held);
+}
+
+TEST_F(DatabaseTest, ReaderWaitsOneSecondInAllItsStatementsTogether) {
+  const Database writer(file_, Access::read_write);
+  const Database reader(file_, Access::read_only);
+  writer.execute("BEGIN EXCLUSIVE;");
+  const double waited = seconds_of([&] {
+    for (int i = 0; i < 10; ++i)
+      EXPECT_NE(error_of([&] { (void)reader.select_integer("SELECT 1 FROM t"); }), "no error");
+  });
+  EXPECT_LT(waited, 5.0);  // ten statements of a second each would take ten
 }
 
 TEST_F(DatabaseTest, TransactionWithoutCommitLeavesNothing) {
