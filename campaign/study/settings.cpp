@@ -13,7 +13,7 @@ namespace {
 constexpr SettingRow<Execution> execution_table[] = {
     {"jobs", &Execution::jobs, 0, 1024, true, "jobs at a time; 0 = as many as the cores allow"},
     {"ranks", &Execution::ranks, 1, 4096, true, "MPI ranks of a job"},
-    {"retries", &Execution::retries, 0, 1000, true, "restarts after crashes in a row without progress, then it is given up"},
+    {"retries", &Execution::retries, 0, 1000, true, "crashes in a row without progress, then the point is given up"},
     {"niceness", &Execution::niceness, 0, 19, true, "niceness of the jobs"},
     {"oversubscribe", &Execution::oversubscribe, 0, 1, true, "1 = more ranks than cores are allowed"},
     {"retry_delay_s", &Execution::retry_delay_s, 0, 86400, false, "pause before a retry without progress; doubles"},
