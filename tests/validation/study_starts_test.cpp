@@ -101,9 +101,11 @@ TEST(StudyStarts, OfABranchFollowTheCellOfACheckpoint) {
   for (const auto& entry : std::filesystem::directory_iterator(run_first_point(neighbour, first, 1e-3) / "checkpoints"))
     if (entry.path().extension() == ".h5") checkpoint = std::max(checkpoint, entry.path());
 
+  int branches = 0;
   for (const std::filesystem::path& study : studies_with_starts()) {
     if (!starts_from_a_checkpoint(study)) continue;
     SCOPED_TRACE(study);
+    ++branches;
     const Series kept = kept_start_of(study);
     const CampaignProgram program(REAL_SOLVER_PROGRAM);
     // Only the branch's first point: the others' cells are not made yet.
@@ -112,6 +114,7 @@ TEST(StudyStarts, OfABranchFollowTheCellOfACheckpoint) {
     std::filesystem::copy_file(checkpoint, program.path() / "0.h5");
     expect_start(run_first_point(program, program.study(), end_of(kept)), kept);
   }
+  EXPECT_GT(branches, 0);
 }
 
 }  // namespace
