@@ -1,7 +1,7 @@
 #!/usr/bin/env pvbatch
 # SPDX-License-Identifier: BSD-3-Clause
 # The cell, coloured by tension, in the flow field of its mid-plane.
-#   xvfb-run -a pvbatch cell_in_flow.py RUN/snapshots picture.png 3.3      the brightest yellow is 3.3 mm/s
+#   xvfb-run -a -s -noreset pvbatch cell_in_flow.py RUN/snapshots picture.png 3.3      the brightest yellow is 3.3 mm/s
 import sys
 from paraview.simple import *
 

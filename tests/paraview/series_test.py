@@ -122,7 +122,9 @@ class Series(unittest.TestCase):
         example = os.path.join(os.path.dirname(__file__), "../../share/examples/cell_in_flow.py")
         snapshots, picture = (os.path.join(RUN_DIRECTORY.name, name) for name in ("snapshots", "picture.png"))
         told, telling = os.pipe()  # the server chooses a display, and names it when it can be used
-        words = ["Xvfb", "-displayfd", str(telling), "-screen", "0", "1280x1024x24"]
+        # ParaView tries the display and leaves before it draws: a server that starts anew when its last client
+        # leaves would refuse the second connection now and then (89 of 3000).
+        words = ["Xvfb", "-displayfd", str(telling), "-screen", "0", "1280x1024x24", "-noreset"]
         server = subprocess.Popen(words, pass_fds=[telling])
         self.addCleanup(server.wait)
         self.addCleanup(server.terminate)
