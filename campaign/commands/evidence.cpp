@@ -54,13 +54,13 @@ void gather_job(Gathered& gathered, JobAttempt attempt, const LifeOf& life_of) {
 
 }  // namespace
 
-Gathered gather(const std::filesystem::path& run_directory, int recorded_attempt, const LifeOf& life_of) {
+Gathered gather(const std::filesystem::path& run_directory, const AttemptRow* recorded, const LifeOf& life_of) {
   Gathered gathered;
   Evidence& evidence = gathered.evidence;
   const std::vector<std::int64_t> checkpoints = checkpoint_steps(run_directory);
   if (!checkpoints.empty()) evidence.newest_checkpoint = checkpoints.back();
   const std::vector<int> attempts = attempt_numbers(run_directory);
-  evidence.newest_attempt = std::max(recorded_attempt, attempts.empty() ? 0 : attempts.back());
+  evidence.newest_attempt = std::max(recorded ? recorded->number : 0, attempts.empty() ? 0 : attempts.back());
   if (evidence.newest_attempt == 0) return gathered;
 
   const std::filesystem::path attempt = attempt_directory(run_directory, evidence.newest_attempt);
@@ -74,6 +74,12 @@ Gathered gather(const std::filesystem::path& run_directory, int recorded_attempt
     gathered.process = {file->host, file->boot_id, file->pid, file->start_ticks};
     gathered.ranks = std::max(1, file->ranks);
     evidence.life = life_of.process(gathered.process);
+  } else if (!gathered.warnings.empty() && recorded && recorded->number == evidence.newest_attempt) {
+    // A file that cannot be read is no proof that nothing was started: the database knows what was.
+    if (recorded->engine != local_engine) evidence.life = Life::unknown;
+    gathered.process = {recorded->host, recorded->boot_id, recorded->pid, recorded->start_ticks};
+    if (recorded->engine == local_engine && recorded->pid > 0) evidence.life = life_of.process(gathered.process);
+    gathered.ranks = std::max(1, recorded->ranks);
   }
   // Life first, record second: a process that ends in between has then left its record already.
   if (const std::optional<ExitFile> exit = read_exit_file(attempt / "exit.json", gathered.warnings)) {

@@ -44,9 +44,11 @@ struct LifeOf {
 /// For readers, who do not ask Slurm: its jobs count as alive until their own records end them.
 [[nodiscard]] LifeOf life_by_files();
 
-/// Reads a run directory. `recorded_attempt` is the newest attempt that the database knows (0 = none): if its folder is
-/// not there yet, the evidence is about it all the same, and empty.
-[[nodiscard]] Gathered gather(const std::filesystem::path& run_directory, int recorded_attempt, const LifeOf& life_of);
+/// Reads a run directory. `recorded` is the newest attempt that the database knows (nullptr = none): if its folder is
+/// not there yet, the evidence is about it all the same, and empty; if the file that names its process cannot be read,
+/// the database's word is taken for it (a job of a scheduler then counts as out of sight).
+[[nodiscard]] Gathered gather(const std::filesystem::path& run_directory, const AttemptRow* recorded,
+                              const LifeOf& life_of);
 
 /// What the database knows, as the judge wants it.
 [[nodiscard]] Recorded recorded_of(const PointRow& point, const AttemptRow* newest);

@@ -114,7 +114,7 @@ void Manager::reconcile(bool all) {
 void Manager::settle(const PointRow& point) {
   std::optional<AttemptRow> newest = store_.newest_attempt(point.key);
   Gathered gathered =
-      gather(run_directory(point.key), newest ? newest->number : 0, life_of_attempt(newest ? &*newest : nullptr));
+      gather(run_directory(point.key), newest ? &*newest : nullptr, life_of_attempt(newest ? &*newest : nullptr));
   warn_of(gathered.warnings);
   if (gathered.job) follow_job(point, newest ? &*newest : nullptr, gathered);
   Evidence& evidence = gathered.evidence;
@@ -214,7 +214,8 @@ void Manager::ingest_living() {
 }
 
 void Manager::take_requests() {
-  for (const Request& request : requests_in(directory_)) {
+  std::vector<std::string> warnings;
+  for (const Request& request : requests_in(directory_, warnings)) {
     if (const std::optional<PointRow> point = store_.point(request.key)) {
       try {
         request.wish == Wish::cancel ? cancel(*point) : retry(*point);
@@ -224,6 +225,7 @@ void Manager::take_requests() {
     }
     std::filesystem::remove(request.file);
   }
+  warn_of(warnings);
 }
 
 void Manager::cancel(const PointRow& point) {
@@ -240,7 +242,7 @@ void Manager::cancel(const PointRow& point) {
   if (const std::optional<AttemptRow> newest = store_.newest_attempt(point.key);
       newest && newest->state != AttemptState::ended) {
     look_at_queue();
-    const Gathered gathered = gather(run_directory(point.key), newest->number, life_of_attempt(&*newest));
+    const Gathered gathered = gather(run_directory(point.key), &*newest, life_of_attempt(&*newest));
     if (gathered.job)
       leave_queue(*newest, gathered);
     else
@@ -252,7 +254,8 @@ void Manager::cancel(const PointRow& point) {
 void Manager::retry(const PointRow& point) {
   if (point.state == State::done || point.state == State::waiting || point.state == State::stopped) return;
   const std::optional<AttemptRow> newest = store_.newest_attempt(point.key);
-  const Gathered gathered = gather(run_directory(point.key), 0, life_of_attempt(newest ? &*newest : nullptr));
+  const Gathered gathered =
+      gather(run_directory(point.key), newest ? &*newest : nullptr, life_of_attempt(newest ? &*newest : nullptr));
   // A running point is taken over only if nobody can say whether it still runs; its old attempt is fenced off.
   if (point.state == State::running && gathered.evidence.life != Life::unknown) {
     say_(name_of(point) + ": is running; there is nothing to retry");

@@ -33,7 +33,7 @@ void look_at(PointStatus& status, const std::filesystem::path& run, const Attemp
   status.step = std::max(status.progress ? status.progress->step : 0, newest ? newest->step.value_or(0) : 0);
 
   // The record may be older than the truth: a manager that was killed cannot have noted the end of its jobs.
-  const Gathered gathered = gather(run, status.attempts, life_by_files());
+  const Gathered gathered = gather(run, newest, life_by_files());
   const bool is_open = newest && newest->state != AttemptState::ended;
   status.lives = gathered.evidence.life == Life::alive &&
                  (!gathered.job || (is_open && status.progress && status.progress->attempt == newest->number));

@@ -25,11 +25,14 @@ double created_unix_s(const std::filesystem::path& database) {
 }
 
 /// Keeps the old database as a copy and puts the new one in its place.
-void put_in_place(const std::filesystem::path& made, const std::filesystem::path& database) {
+void replace_database(const std::filesystem::path& made, const std::filesystem::path& database) {
   const std::filesystem::path kept = database.string() + ".before-rebuild";
   const std::filesystem::path journal = database.string() + "-journal";
-  if (std::filesystem::exists(database))
-    std::filesystem::copy_file(database, kept, std::filesystem::copy_options::overwrite_existing);
+  if (std::filesystem::exists(database)) {
+    const std::filesystem::path copy = kept.string() + ".tmp";
+    std::filesystem::copy_file(database, copy, std::filesystem::copy_options::overwrite_existing);
+    put_in_place(copy, kept);
+  }
   // Only a database that could not be opened still has its journal here: the pair is kept together.
   std::filesystem::remove(kept.string() + "-journal");
   if (std::filesystem::exists(journal)) std::filesystem::rename(journal, kept.string() + "-journal");
@@ -55,7 +58,7 @@ int rebuild(const CommandLine& line) {
     if (attempt.engine != local_engine) return Life::unknown;
     return life_of({attempt.host, attempt.boot_id, attempt.pid, attempt.start_ticks});
   });
-  put_in_place(aside, database);
+  replace_database(aside, database);
 
   for (const std::string& warning : rebuilt.warnings) line.io.err << "warning: " << warning << '\n';
   if (!line.quiet)

@@ -61,7 +61,8 @@ class Run {
       const int signal = signals_.wait(tick_ms);
       heed(signal);
       if (signal != 0) return;
-      if (!requests_in(manager_.directory()).empty()) return;
+      std::vector<std::string> told_by_the_pass;
+      if (!requests_in(manager_.directory(), told_by_the_pass).empty()) return;
     } while (std::chrono::steady_clock::now() < next);
   }
 

@@ -33,7 +33,9 @@ void wish(const CommandLine& line, Wish wish, const std::vector<PointRow>& point
     Manager manager(line.directory, wish == Wish::cancel ? "cancel" : "retry", say);
     manager.reconcile(true);
     // Another rouleau may have carried the wish out, and ended, while we waited for the lock.
-    if (requests_in(line.directory).empty()) say("carried out by the rouleau that was running this campaign");
+    std::vector<std::string> warnings;
+    if (requests_in(line.directory, warnings).empty() && warnings.empty())
+      say("carried out by the rouleau that was running this campaign");
     manager.take_requests();
   } catch (const Error& error) {
     if (error.code() != Exit::locked) throw;

@@ -10,6 +10,7 @@ namespace {
 
 using rouleau::testing::CampaignProgram;
 using rouleau::testing::eventually;
+using rouleau::testing::set_content;
 using ::testing::AnyOf;
 using ::testing::HasSubstr;
 
@@ -55,6 +56,20 @@ TEST(CampaignCancel, RunningJobStopsWhileTheManagerRuns) {
   EXPECT_EQ(program.state(1), State::stopped) << "from its checkpoint, not from the start";
   EXPECT_EQ(program.run().status, 0);
   EXPECT_EQ(program.store().attempts(program.point(1).key).at(1).start_step, attempts[0].step);
+}
+
+TEST(CampaignCancel, RequestThatIsNoneIsNamedAndLeft) {
+  const CampaignProgram program;
+  program.write_study("fluid.lambda = 1, 5");
+  ASSERT_EQ(program.init().status, 0);
+  const std::filesystem::path strange = program.campaign() / "requests/strange";
+  std::filesystem::create_directories(program.campaign() / "requests/a-folder");
+  set_content(strange, "cancel everything\n");
+  const auto capture = program.run();
+  EXPECT_EQ(capture.status, 0) << capture.err;
+  EXPECT_THAT(capture.err, HasSubstr(strange.string() + ": holds neither `cancel` nor `retry`"));
+  EXPECT_THAT(capture.err, HasSubstr("requests/a-folder: "));
+  EXPECT_TRUE(std::filesystem::exists(strange));
 }
 
 TEST(CampaignCancel, DonePointIsNotCancelled) {

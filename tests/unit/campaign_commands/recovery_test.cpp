@@ -69,6 +69,27 @@ TEST_F(Recovery, KilledBetweenStartAndItsRecord) {
   executor.reap();
 }
 
+TEST_F(Recovery, UnreadableProcessFileIsNoProofThatNothingRuns) {
+  CampaignProgram::set_speed(10000, 50);
+  record_intent(AttemptState::planned);
+  claim_attempt(program_.run_directory(1), 1, "token");
+  LocalExecutor executor;
+  const ProcessIdentity process =
+      executor.launch({FAKE_SOLVER_PROGRAM, program_.run_directory(1), 1, "token", 1, -1, {}, 0});
+  {
+    Store store = Store::open(program_.campaign() / "campaign.db");
+    AttemptRow attempt = store.attempts(program_.point(1).key).at(0);
+    attempt.state = AttemptState::launched;
+    attempt.boot_id = process.boot_id;
+    attempt.pid = process.pid;
+    attempt.start_ticks = process.start_ticks;
+    store.put_attempt(attempt);
+  }
+  set_content(program_.run_directory(1) / "attempts/1/process.json", "torn");
+  expect_done_in(1);
+  executor.reap();
+}
+
 TEST_F(Recovery, EndedWhileNobodyWatched) {
   record_intent(AttemptState::launched);
   claim_attempt(program_.run_directory(1), 1, "token");
