@@ -44,7 +44,7 @@ struct ReportPoint {
 struct ReportData {
   CampaignRow campaign;
   Analysis analysis;               ///< as stored
-  std::vector<std::string> swept;  ///< full names of the axes, in the study's order
+  std::vector<std::string> swept;  ///< full names of the axes, in the run file's order
   std::vector<ReportPoint> points;
   double written_unix_s = 0;
   std::string version, git;  ///< of the rouleau that writes the report

@@ -6,8 +6,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
+#include <set>
 
+#include "report/fit_text.hpp"
 #include "report/gnuplot_text.hpp"
 #include "report/palette.hpp"
 #include "report/parameter_words.hpp"
@@ -60,12 +63,6 @@ std::string two_panels(double height_px, int rows, int columns_of_key, const Plo
   return script + "unset key\nset ylabel 'asphericity'\nplot " + plots(3) + "\nunset multiplot\n";
 }
 
-/// Characters, of which UTF-8 may need several bytes each.
-std::size_t length_of(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
-}
-
 std::string ordinary_words(const ReportPoint& point) {
   return fmt::format("#{}: {}", point.row.ordinal, point.label());
 }
@@ -85,6 +82,47 @@ std::vector<std::pair<const ReportPoint*, const Curve*>> first_curves(const Repo
   for (const ReportPoint& point : data.points)
     if (!point.curves.empty() && is_drawn(point.curves.front())) curves.emplace_back(&point, &point.curves.front());
   return curves;
+}
+
+/// A swept parameter as short as a legend needs it: four digits, and a word without its name ("2-point").
+std::string short_words(const ReportPoint& point, const std::string& axis) {
+  for (const ParameterRow& row : point.swept) {
+    if (row.name != axis) continue;
+    if (row.value) return parameter_words(axis, fmt::format("{:.4g}", *row.value));
+    const bool is_word = std::any_of(row.text.begin(), row.text.end(), [](unsigned char c) { return std::isalpha(c); });
+    return is_word ? row.text : parameter_words(axis, row.text);
+  }
+  return "";
+}
+
+bool is_number(const std::vector<std::pair<const ReportPoint*, const Curve*>>& curves, const std::string& axis) {
+  return std::any_of(curves.begin(), curves.end(),
+                     [&](const auto& curve) { return ReportData::value(*curve.first, axis).has_value(); });
+}
+
+/// The points by the axes that tell them apart: λ, then words, then numbers, and none that splits nothing that those
+/// before it have not split. gnuplot drops an entry without a word if it is wider than the figure.
+std::vector<std::string> legends(const std::vector<std::pair<const ReportPoint*, const Curve*>>& curves,
+                                 std::vector<std::string> axes) {
+  constexpr std::size_t widest = 36;
+  std::stable_partition(axes.begin(), axes.end(), [&](const std::string& axis) { return !is_number(curves, axis); });
+  std::stable_partition(axes.begin(), axes.end(), [](const std::string& axis) { return axis == "fluid.lambda"; });
+  std::vector<std::string> names(curves.size());
+  std::size_t kinds = 1;
+  for (const std::string& axis : axes) {
+    std::vector<std::string> longer = names;
+    for (std::size_t i = 0; i < curves.size(); ++i)
+      longer[i] += (names[i].empty() ? "" : ", ") + short_words(*curves[i].first, axis);
+    const std::size_t longer_kinds = std::set<std::string>(longer.begin(), longer.end()).size();
+    if (longer_kinds > kinds) names = std::move(longer);
+    kinds = std::max(kinds, longer_kinds);
+  }
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (kinds < curves.size())
+      names[i] = fmt::format("#{}{}{}", curves[i].first->row.ordinal, names[i].empty() ? "" : " ", names[i]);
+    names[i] = fitted(names[i], widest);
+  }
+  return names;
 }
 
 /// Colour and dash, of which neighbours share neither.
@@ -197,7 +235,8 @@ std::optional<Figure> overlay_figure(const ReportData& data, std::size_t most_po
   figure.height_px = 520;
   figure.height_cm = 9.5;
   std::size_t longest = 1;
-  for (const auto& [point, curve] : curves) longest = std::max(longest, length_of(point->label()));
+  const std::vector<std::string> names = legends(curves, data.swept);
+  for (const std::string& name : names) longest = std::max(longest, shown_width(name));
   const int columns_of_key = std::clamp(static_cast<int>(44 / (longest + 7)), 1, 5);
   const int rows = (static_cast<int>(curves.size()) + columns_of_key - 1) / columns_of_key;
   figure.height_px += 26.0 * rows;
@@ -208,7 +247,7 @@ std::optional<Figure> overlay_figure(const ReportData& data, std::size_t most_po
         std::string plots;
         for (std::size_t i = 0; i < curves.size(); ++i)
           plots += fmt::format("{}'overlay.dat' index {} using 1:{} with lines {} title {}", i == 0 ? "" : ", \\\n  ",
-                               i, column, look_of(i), column == 2 ? gnuplot_quoted(curves[i].first->label()) : "''");
+                               i, column, look_of(i), column == 2 ? gnuplot_quoted(names[i]) : "''");
         return plots;
       });
   return figure;

@@ -164,6 +164,28 @@ TEST(ReportPhaseFigure, MapsTwoAxesWithTheirBoundary) {
   EXPECT_THAT(figure.data, AllOf(HasSubstr("\n3.5 1 3 4\n"), HasSubstr("\n4.5 2 4 5\n"))) << figure.data;
 }
 
+TEST(ReportSeriesFigure, LegendNamesTheAxesThatTellPointsApartAndFits) {
+  const auto point_with = [](int ordinal, double lambda, double step, const std::string& kernel) {
+    ReportPoint point = point_of(ordinal, lambda, "croissant");
+    point.swept.push_back({"numerics.time_step_us", fmt::format("{}", step), step, true});
+    point.swept.push_back({"numerics.kernel", kernel, std::nullopt, true});
+    return point;
+  };
+  ReportData data = data_of({point_with(1, 1, 25 / 81.0, "2-point"), point_with(2, 5, 25 / 81.0, "2-point"),
+                             point_with(3, 5, 50 / 81.0, "4-point")});
+  data.swept = {"fluid.lambda", "numerics.time_step_us", "numerics.kernel"};
+  std::string script = overlay_figure(data, 100).value().script;
+  EXPECT_THAT(script, AllOf(HasSubstr("title 'λ = 1, 2-point'"), HasSubstr("title 'λ = 5, 2-point'"),
+                            HasSubstr("title 'λ = 5, 4-point'"), Not(HasSubstr("time step"))));
+
+  data.points.push_back(point_with(4, 5, 50 / 81.0, "4-point"));  // the same twice: only the number tells
+  script = overlay_figure(data, 100).value().script;
+  EXPECT_THAT(script, AllOf(HasSubstr("title '#3 λ = 5, 4-point'"), HasSubstr("title '#4 λ = 5, 4-point'")));
+
+  data.points[3].swept[2].text = std::string(80, 'k');  // gnuplot would leave such an entry out
+  EXPECT_THAT(overlay_figure(data, 100).value().script, Not(HasSubstr(std::string(36, 'k'))));
+}
+
 TEST(ReportSeriesFigure, GroupsManyCurvesByClassWithinABudget) {
   std::vector<ReportPoint> points;
   for (int i = 1; i <= 200; ++i) {
