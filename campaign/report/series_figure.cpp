@@ -117,8 +117,10 @@ std::vector<std::string> legends(const std::vector<std::pair<const ReportPoint*,
     if (longer_kinds > kinds) names = std::move(longer);
     kinds = std::max(kinds, longer_kinds);
   }
+  const bool are_cut =
+      std::any_of(names.begin(), names.end(), [](const std::string& name) { return shown_width(name) > widest; });
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (kinds < curves.size())
+    if (are_cut || kinds < curves.size())
       names[i] = fmt::format("#{}{}{}", curves[i].first->row.ordinal, names[i].empty() ? "" : " ", names[i]);
     names[i] = fitted(names[i], widest);
   }
