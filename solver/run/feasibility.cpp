@@ -11,6 +11,20 @@
 namespace rouleau {
 namespace {
 
+/// By how much the drag of a sphere of vertices exceeds that of its mesh, in radius, node spacings
+/// (studies/validation).
+double hydrodynamic_excess(KernelWidth kernel) {
+  switch (kernel) {
+    case KernelWidth::two_point:
+      return 0.36;
+    case KernelWidth::three_point:
+      return 0.45;
+    case KernelWidth::four_point:
+      break;
+  }
+  return 0.63;
+}
+
 constexpr double slack = 1e-9;  // relative; limits that are met exactly in decimal must not fail by rounding
 
 // One run under examination: refusals throw, warnings are gathered.
@@ -144,7 +158,7 @@ class Examination {
   }
 
   void check_resolution() {
-    constexpr double fewest = 6, transition = 12;
+    constexpr double fewest = 6, most_excess = 0.03;
     for (const CellPlacement& cell : lattice_.cells) {
       const double radius = std::max(cell.radius, cell.semi_axes.maxCoeff());
       if (radius == 0) continue;  // a mesh: checked once it is read
@@ -155,11 +169,13 @@ class Examination {
     }
     const double radius = lattice_.cells[0].radius;
     const bool in_channel = p_.cells[0].shape == Shape::red_blood_cell && lattice_.body_force > 0;
-    if (in_channel && radius < transition * (1 - slack))
+    const double excess = hydrodynamic_excess(p_.numerics.kernel) / radius;
+    if (in_channel && excess > most_excess * (1 + slack))
       warn("numerics.node_spacing_um",
-           "gives {:.3g} nodes per radius: below {} the croissant-slipper transition shifts. Lower it "
-           "to {:.4g} or less before quoting a transition",
-           radius, transition, units_.dx_um() * radius / transition);
+           "lets the membrane act {:.2g} um thicker than it is with this kernel, {:.2g} radii: above {} cells come to "
+           "the axis the sooner the thicker it acts (studies/lambda-transition). Lower it to {:.4g} or less, or choose "
+           "a narrower numerics.kernel, before quoting a transition",
+           excess * radius * units_.dx_um(), excess, most_excess, units_.dx_um() * most_excess / excess);
   }
 
   void check_boxes() {

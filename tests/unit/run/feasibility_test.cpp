@@ -23,7 +23,9 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-TEST(Warnings, AreNoneForThePapersChannelWithACentredCell) { EXPECT_THAT(Read(RunText{}).warnings(), IsEmpty()); }
+TEST(Warnings, AreNoneForThePapersChannelAndKernelWithACentredCell) {
+  EXPECT_THAT(Read(RunText{.numerics = "kernel = 2-point\nadvection = averaged"}).warnings(), IsEmpty());
+}
 
 TEST(Warnings, NameTheClearanceOfThePapersStart) {
   // 5 - 0.833 - 4 um = 0.5 node spacings with the disc upright, and 1.5 in y
@@ -46,7 +48,7 @@ TEST(Warnings, NameEachDoubtfulChoice) {
   expect_warning({.numerics = "tau_plasma = 1.5",
                   .lengths = "length_x_um = 42\nlength_y_um = 12\nlength_z_um = 10",
                   .spacing = "node_spacing_um = 1/2\ntime_step_us = 25/36"},
-                 "transition shifts");
+                 "act 0.32 um thicker than it is with this kernel, 0.079 radii: above 0.03");
   expect_warning({.lengths = "length_x_um = 15\nlength_y_um = 12\nlength_z_um = 10"}, "periodic image");
   expect_warning({.flow = "driving = shear\nshear_rate_per_s = 100"}, "no uniform shear rate");
 }
@@ -83,7 +85,7 @@ std::string refusal(const RunText& text) {
 }
 
 TEST(SafeCombinations, AreLeftInPeace) {
-  const auto about_the_kernel = Contains(HasSubstr("numerics.kernel"));
+  const auto about_the_kernel = Contains(HasSubstr("numerics.kernel = "));
   EXPECT_THAT(Read(at_step(8, "kernel = 4-point")).warnings(), Not(about_the_kernel));
   EXPECT_THAT(Read(at_step(4, "kernel = 3-point\nadvection = averaged")).warnings(), Not(about_the_kernel));
   EXPECT_THAT(Read(at_step(2, "kernel = 2-point\nadvection = averaged")).warnings(), Not(about_the_kernel));
