@@ -36,6 +36,11 @@ class Recovery : public ::testing::Test {
     store.put_attempt(attempt);
     store.change_state(key, State::waiting, State::running, "attempt 1 is started", 1);
   }
+  /// Claims attempt 1 and starts it.
+  ProcessIdentity claim_and_launch(LocalExecutor& executor) const {
+    claim_attempt(program_.run_directory(1), 1, "token");
+    return executor.launch({FAKE_SOLVER_PROGRAM, program_.run_directory(1), 1, "token", 1, -1, {}, 0});
+  }
   void expect_done_in(std::size_t attempts) const {
     const auto capture = program_.run();
     EXPECT_EQ(capture.status, 0) << capture.err;
@@ -60,10 +65,8 @@ TEST_F(Recovery, KilledBetweenClaimAndStart) {
 TEST_F(Recovery, KilledBetweenStartAndItsRecord) {
   CampaignProgram::set_speed(10000, 50);
   record_intent(AttemptState::planned);
-  claim_attempt(program_.run_directory(1), 1, "token");
   LocalExecutor executor;
-  const ProcessIdentity process =
-      executor.launch({FAKE_SOLVER_PROGRAM, program_.run_directory(1), 1, "token", 1, -1, {}, 0});
+  const ProcessIdentity process = claim_and_launch(executor);
   EXPECT_EQ(executor.life(process), Life::alive);
   expect_done_in(1);
   executor.reap();
@@ -72,10 +75,8 @@ TEST_F(Recovery, KilledBetweenStartAndItsRecord) {
 TEST_F(Recovery, UnreadableProcessFileIsNoProofThatNothingRuns) {
   CampaignProgram::set_speed(10000, 50);
   record_intent(AttemptState::planned);
-  claim_attempt(program_.run_directory(1), 1, "token");
   LocalExecutor executor;
-  const ProcessIdentity process =
-      executor.launch({FAKE_SOLVER_PROGRAM, program_.run_directory(1), 1, "token", 1, -1, {}, 0});
+  const ProcessIdentity process = claim_and_launch(executor);
   {
     Store store = Store::open(program_.campaign() / "campaign.db");
     AttemptRow attempt = store.attempts(program_.point(1).key).at(0);
@@ -92,10 +93,8 @@ TEST_F(Recovery, UnreadableProcessFileIsNoProofThatNothingRuns) {
 
 TEST_F(Recovery, EndedWhileNobodyWatched) {
   record_intent(AttemptState::launched);
-  claim_attempt(program_.run_directory(1), 1, "token");
   LocalExecutor executor;
-  const ProcessIdentity process =
-      executor.launch({FAKE_SOLVER_PROGRAM, program_.run_directory(1), 1, "token", 1, -1, {}, 0});
+  const ProcessIdentity process = claim_and_launch(executor);
   ASSERT_TRUE(eventually([&] { return executor.life(process) == Life::dead; }));
   executor.reap();
   expect_done_in(1);
