@@ -75,11 +75,14 @@ Gathered gather(const std::filesystem::path& run_directory, const AttemptRow* re
     gathered.ranks = std::max(1, file->ranks);
     evidence.life = life_of.process(gathered.process);
   } else if (!gathered.warnings.empty() && recorded && recorded->number == evidence.newest_attempt) {
-    // A file that cannot be read is no proof that nothing was started: the database knows what was.
-    if (recorded->engine != local_engine) evidence.life = Life::unknown;
+    // A file that cannot be read is no proof that nothing was started: the database knows what was. Of a job it does
+    // not hold the name, without which an id proves nothing.
     gathered.process = {recorded->host, recorded->boot_id, recorded->pid, recorded->start_ticks};
-    if (recorded->engine == local_engine && recorded->pid > 0) evidence.life = life_of.process(gathered.process);
     gathered.ranks = std::max(1, recorded->ranks);
+    if (recorded->engine != local_engine)
+      evidence.life = Life::unknown;
+    else if (recorded->pid > 0)
+      evidence.life = life_of.process(gathered.process);
   }
   // Life first, record second: a process that ends in between has then left its record already.
   if (const std::optional<ExitFile> exit = read_exit_file(attempt / "exit.json", gathered.warnings)) {

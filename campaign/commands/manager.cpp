@@ -113,8 +113,7 @@ void Manager::reconcile(bool all) {
 
 void Manager::settle(const PointRow& point) {
   std::optional<AttemptRow> newest = store_.newest_attempt(point.key);
-  Gathered gathered =
-      gather(run_directory(point.key), newest ? &*newest : nullptr, life_of_attempt(newest ? &*newest : nullptr));
+  Gathered gathered = gather_of(point, newest ? &*newest : nullptr);
   warn_of(gathered.warnings);
   if (gathered.job) follow_job(point, newest ? &*newest : nullptr, gathered);
   Evidence& evidence = gathered.evidence;
@@ -242,7 +241,7 @@ void Manager::cancel(const PointRow& point) {
   if (const std::optional<AttemptRow> newest = store_.newest_attempt(point.key);
       newest && newest->state != AttemptState::ended) {
     look_at_queue();
-    const Gathered gathered = gather(run_directory(point.key), &*newest, life_of_attempt(&*newest));
+    const Gathered gathered = gather_of(point, &*newest);
     if (gathered.job)
       leave_queue(*newest, gathered);
     else
@@ -254,8 +253,7 @@ void Manager::cancel(const PointRow& point) {
 void Manager::retry(const PointRow& point) {
   if (point.state == State::done || point.state == State::waiting || point.state == State::stopped) return;
   const std::optional<AttemptRow> newest = store_.newest_attempt(point.key);
-  const Gathered gathered =
-      gather(run_directory(point.key), newest ? &*newest : nullptr, life_of_attempt(newest ? &*newest : nullptr));
+  const Gathered gathered = gather_of(point, newest ? &*newest : nullptr);
   // A running point is taken over only if nobody can say whether it still runs; its old attempt is fenced off.
   if (point.state == State::running && gathered.evidence.life != Life::unknown) {
     say_(name_of(point) + ": is running; there is nothing to retry");

@@ -104,6 +104,7 @@ class Manager {
   void look_at_queue();
   void cancel_orphans();
   [[nodiscard]] LifeOf life_of_attempt(const AttemptRow* row) const;
+  [[nodiscard]] Gathered gather_of(const PointRow& point, const AttemptRow* newest) const;
   void settle(const PointRow& point);
   void leave_queue(const AttemptRow& attempt, const Gathered& gathered);
   void follow_job(const PointRow& point, AttemptRow* newest, const Gathered& gathered);

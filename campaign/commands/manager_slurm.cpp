@@ -84,6 +84,10 @@ LifeOf Manager::life_of_attempt(const AttemptRow* row) const {
           }};
 }
 
+Gathered Manager::gather_of(const PointRow& point, const AttemptRow* newest) const {
+  return gather(run_directory(point.key), newest, life_of_attempt(newest));
+}
+
 double Manager::pass_interval_s() const {
   const bool only_slurm = engine_.name == slurm_engine && !has_local_jobs();
   return only_slurm ? slurm_->cluster().poll_s : local_pass_interval_s;

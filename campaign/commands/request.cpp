@@ -20,6 +20,11 @@ void leave_request(const std::filesystem::path& campaign, Wish wish, const std::
   write_whole_file(campaign / "requests" / key, wish == Wish::cancel ? "cancel\n" : "retry\n");
 }
 
+bool is_left(const std::filesystem::path& campaign, const std::string& key) {
+  std::error_code error;
+  return std::filesystem::exists(campaign / "requests" / key, error) || error;
+}
+
 std::vector<Request> requests_in(const std::filesystem::path& campaign, std::vector<std::string>& warnings) {
   std::vector<Request> requests;
   const std::filesystem::path folder = campaign / "requests";

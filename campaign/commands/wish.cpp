@@ -33,8 +33,8 @@ void wish(const CommandLine& line, Wish wish, const std::vector<PointRow>& point
     Manager manager(line.directory, wish == Wish::cancel ? "cancel" : "retry", say);
     manager.reconcile(true);
     // Another rouleau may have carried the wish out, and ended, while we waited for the lock.
-    std::vector<std::string> warnings;
-    if (requests_in(line.directory, warnings).empty() && warnings.empty())
+    if (std::none_of(points.begin(), points.end(),
+                     [&](const PointRow& point) { return is_left(line.directory, point.key); }))
       say("carried out by the rouleau that was running this campaign");
     manager.take_requests();
   } catch (const Error& error) {
