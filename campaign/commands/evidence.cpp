@@ -28,6 +28,15 @@ ExitRecord record_of(const ExitFile& exit) {
   return {exit.code, exit.reason, exit.start_step.value_or(0), exit.step.value_or(0)};
 }
 
+/// Whether nothing in the folder says yet who runs the attempt.
+bool is_nameless(const std::filesystem::path& attempt) {
+  const auto is_missing = [&](const char* name) {
+    std::error_code unseen;
+    return !std::filesystem::exists(attempt / name, unseen) && !unseen;
+  };
+  return is_missing("job") && is_missing("process.json") && is_missing("started.json") && is_missing("exit.json");
+}
+
 /// The records first, the scheduler second: it was asked before, and what it says is weighed against them.
 void gather_job(Gathered& gathered, JobAttempt attempt, const LifeOf& life_of) {
   Evidence& evidence = gathered.evidence;
@@ -52,6 +61,25 @@ void gather_job(Gathered& gathered, JobAttempt attempt, const LifeOf& life_of) {
   }
 }
 
+/// A job that Slurm has started again makes its next attempt's folder first, and writes in it whose it is afterwards.
+/// While the job of the attempt before lives, a folder that names nobody, and that the database does not know, is taken
+/// for that: what there is to be told is still told of the attempt before. Returns whether it was.
+bool gather_claiming_job(Gathered& gathered, const std::filesystem::path& run_directory,
+                         const std::vector<int>& attempts, int recorded, const LifeOf& life_of) {
+  if (attempts.size() < 2 || recorded >= attempts.back()) return false;
+  if (!is_nameless(attempt_directory(run_directory, attempts.back()))) return false;
+  const int before = attempts[attempts.size() - 2];
+  std::vector<std::string> warnings;
+  const std::optional<JobFile> job = read_job_file(attempt_directory(run_directory, before) / "job", warnings);
+  if (!job) return false;
+  Gathered of_job = gathered;
+  of_job.evidence.newest_attempt = before;
+  gather_job(of_job, {run_directory, before, *job, {}, {}, {}}, life_of);
+  if (of_job.evidence.life != Life::alive) return false;
+  gathered = std::move(of_job);
+  return true;
+}
+
 }  // namespace
 
 Gathered gather(const std::filesystem::path& run_directory, const AttemptRow* recorded, const LifeOf& life_of) {
@@ -62,6 +90,7 @@ Gathered gather(const std::filesystem::path& run_directory, const AttemptRow* re
   const std::vector<int> attempts = attempt_numbers(run_directory);
   evidence.newest_attempt = std::max(recorded ? recorded->number : 0, attempts.empty() ? 0 : attempts.back());
   if (evidence.newest_attempt == 0) return gathered;
+  if (gather_claiming_job(gathered, run_directory, attempts, recorded ? recorded->number : 0, life_of)) return gathered;
 
   const std::filesystem::path attempt = attempt_directory(run_directory, evidence.newest_attempt);
   if (const std::optional<JobFile> job = read_job_file(attempt / "job", gathered.warnings)) {

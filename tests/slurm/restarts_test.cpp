@@ -132,6 +132,25 @@ TEST(Requeue, WhoseScriptHasNotClaimedYetIsNotSubmittedTwice) {
   expect_local_outcome(campaign, "5");
 }
 
+TEST(Requeue, WhoseScriptHasOnlyMadeItsNextFolderIsNotSubmittedTwice) {
+  // The script makes the folder first and names its job in it afterwards: a pass may look in between.
+  const FakeCampaign campaign;
+  campaign.script(1, "hang 60\n");
+  ASSERT_TRUE(campaign.start_and_reach(50));
+  const std::filesystem::path claimed = campaign.program.run_directory(1) / "attempts/2";
+  ASSERT_TRUE(std::filesystem::create_directory(claimed));
+  ASSERT_EQ(campaign.sync().status, 0);
+  EXPECT_EQ(campaign.program.state(1), State::running);
+  EXPECT_EQ(campaign.attempts(1), 1) << "a folder that nobody has put his name in was taken for an attempt";
+  EXPECT_EQ(campaign.slurm.jobs().size(), 1U);
+
+  // The job has died in between, so that nobody will ever write in it: the point goes on.
+  campaign.slurm.control({"end", campaign.slurm.jobs().at(0).id, "NODE_FAIL", "kill"});
+  ASSERT_TRUE(campaign.sync_until_all(State::done)) << campaign.last_words();
+  EXPECT_EQ(campaign.slurm.jobs().size(), 2U);
+  expect_local_outcome(campaign, "5");
+}
+
 TEST(FailedNode, WithoutRequeueIsLeftForAnotherJob) {
   const FakeCampaign campaign("5", "requeue = 0\n");
   CampaignProgram::set_speed(30000, 20);
