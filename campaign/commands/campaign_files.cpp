@@ -6,6 +6,7 @@
 #include "ingest/ingest.hpp"
 #include "store/store.hpp"
 #include "study/error.hpp"
+#include "study/input_files.hpp"
 #include "study/whole_file.hpp"
 
 namespace rouleau::campaign {
@@ -30,9 +31,11 @@ Point stand_in(const PointRow& row, const Expansion& expansion) {
 void store_named_files(const std::filesystem::path& directory, const NamedFiles& files) {
   for (const auto& [text, file] : files) {
     const std::filesystem::path target = directory / file.stored;
-    if (std::filesystem::exists(target)) continue;
+    const std::string content = read_whole_file(file.source).value();
+    // Compared, not only looked for: a copy that was damaged is written anew.
+    if (read_whole_file(target) == content) continue;
     make_directories(target.parent_path());
-    write_whole_file(target, read_whole_file(file.source).value());
+    write_whole_file(target, content);
   }
 }
 
@@ -43,6 +46,8 @@ void write_point_files(const std::filesystem::path& directory, const Candidate& 
   if (read_whole_file(run / "run.ini") != candidate.run_file) write_whole_file(run / "run.ini", candidate.run_file);
   Point point = candidate.point;
   point.run_file_digest = digest_of(candidate.run_file);
+  const std::string sums = input_sums(run);
+  if (read_whole_file(run / "inputs") != sums) write_whole_file(run / "inputs", sums);
   write_point(run / "point.json", point);
 }
 

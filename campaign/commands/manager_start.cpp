@@ -10,6 +10,7 @@
 #include "ingest/ingest.hpp"
 #include "ingest/run_files.hpp"
 #include "study/error.hpp"
+#include "study/input_files.hpp"
 
 namespace rouleau::campaign {
 
@@ -193,7 +194,7 @@ bool Manager::start_point(const PointRow& point, const Cores& cores) {
   try {
     fit_to_directory(attempt);
     if (!take_room_for(point)) return false;
-    require_run_file(run, read_point(run / "point.json"));
+    require_input_files(run, read_point(run / "point.json"));
     Transaction intent = store_.begin();
     store_.put_attempt(attempt);
     how = attempt.checkpoint_at_start < 0

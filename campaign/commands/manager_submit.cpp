@@ -9,6 +9,7 @@
 #include "executor/attempt.hpp"
 #include "executor/solver.hpp"
 #include "study/error.hpp"
+#include "study/input_files.hpp"
 #include "study/whole_file.hpp"
 
 namespace rouleau::campaign {
@@ -136,7 +137,7 @@ bool Manager::submit_pack(std::vector<PointRow> points) {
     try {
       fit_to_directory(attempt);
       if (!take_room_for(point)) return true;
-      require_run_file(run_directory(point.key), read_point(run_directory(point.key) / "point.json"));
+      require_input_files(run_directory(point.key), read_point(run_directory(point.key) / "point.json"));
     } catch (const Error& error) {
       record_failed_launch(point, attempt, trouble_of(error), error.what());
       return true;

@@ -30,7 +30,8 @@ struct JobScript {
 ///
 /// For each point it makes attempts/<k>/begun, which only one can; if that is there already (Slurm has started the job
 /// again, or somebody has submitted it twice) it claims an attempt of its own, so that two copies of a job never write
-/// in one attempt's name (share/contract.md section 8). It hands the solver the time that is left, passes SIGUSR2 and
+/// in one attempt's name (share/contract.md section 8). It starts nothing whose input files are not those that the sums
+/// in points/<key>/inputs are of. It hands the solver the time that is left, passes SIGUSR2 and
 /// SIGTERM on to it as SIGUSR2, and writes the solver's exit status to attempts/<k>/status.
 ///
 /// Everything but the lines of `setup` is quoted, so that no path and no option can become shell code.

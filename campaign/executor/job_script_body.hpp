@@ -84,6 +84,25 @@ claim() {
   say "point $1: attempt $2 has begun before; this start is attempt $attempt"
 }
 
+# Whether what the point in this directory reads is what `rouleau init` wrote: days may lie between the submission, when
+# the manager looked, and this start. If it is not, the attempt ends here, with the reason as its last words.
+has_sound_inputs() {
+  local crc size file
+  [ -f inputs ] || return 0  # by an earlier version of `rouleau init`
+  if ! command -v cksum >/dev/null; then
+    say "point $1: there is no program cksum here; its input files are not compared"
+    return 0
+  fi
+  while read -r crc size file; do
+    [ "$(cksum <"$file")" = "$crc $size" ] && continue
+    echo "job.sh: $PWD/$file is not the file that \`rouleau init\` wrote; the solver was not started" \
+      >>"attempts/$attempt/stderr"
+    write "attempts/$attempt/status" 65
+    say "point $1: $file is not the file that \`rouleau init\` wrote; it is left alone"
+    return 1
+  done <inputs
+}
+
 # Seconds in what squeue calls the time left: [D-]H:M:S or M:S; fails for anything else.
 seconds_of() {
   [[ $1 =~ ^((([0-9]+)-)?([0-9]+):)?([0-9]+):([0-9]+)$ ]] || return 1
@@ -159,12 +178,16 @@ some_run() {
   return 1
 }
 
-stop='' terminated='' pids=() folders=() told=()
+worst=0 stop='' terminated='' pids=() folders=() told=()
 trap 'stop=1' USR2
 trap 'stop=1 terminated=1' TERM
 find_end
 for i in "${!keys[@]}"; do
   claim "${keys[i]}" "${attempts[i]}" "${tokens[i]}" || continue
+  has_sound_inputs "${keys[i]}" || {
+    worst=65
+    continue
+  }
   find_deadline
   run_point &
   pids[i]=$!
@@ -181,7 +204,6 @@ while some_run; do
   fi
 done
 
-worst=0
 for i in "${!pids[@]}"; do
   status=
   [ -f "${folders[i]}/status" ] && read -r status <"${folders[i]}/status"

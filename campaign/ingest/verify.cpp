@@ -12,6 +12,7 @@
 #include "ingest/sample_log.hpp"
 #include "report/analysis.hpp"
 #include "study/error.hpp"
+#include "study/input_files.hpp"
 #include "study/whole_file.hpp"
 
 namespace rouleau::campaign {
@@ -82,7 +83,7 @@ class PointCheck {
       row.retry_at_unix_s = stored_.point.retry_at_unix_s;
       if (!(row == stored_.point) || parameter_rows_of(point) != stored_.parameters)
         damage(file, "it describes another point than the database; `rouleau init STUDY DIR` writes both anew");
-      require_run_file(directory_, point);
+      require_input_files(directory_, point);
     } catch (const Error& error) {
       damage(file, error.what());
     }

@@ -103,18 +103,6 @@ Point read_point(const std::filesystem::path& file) {
 
 bool is_hex(const std::string& text) { return text.find_first_not_of("0123456789abcdef") == std::string::npos; }
 
-void require_run_file(const std::filesystem::path& run_directory, const Point& point) {
-  const std::filesystem::path file = run_directory / "run.ini";
-  if (point.run_file_digest.empty()) return;
-  const std::string digest = digest_of(read_whole_file(file).value_or(""));
-  if (digest == point.run_file_digest) return;
-  fail(Exit::damaged,
-       "{}: is not the file that `rouleau init` wrote: its digest is {}, point.json has {}. It is damaged or was "
-       "edited; "
-       "`rouleau init STUDY DIR` writes it anew.",
-       file.string(), digest, point.run_file_digest);
-}
-
 void write_point(const std::filesystem::path& file, const Point& point) {
   write_whole_file(file, record_text(to_json(point)));
 }

@@ -61,9 +61,6 @@ struct Point {
 /// Whether it is nothing but lower-case hex digits: what keys and identities, and so directories' names, are made of.
 [[nodiscard]] bool is_hex(const std::string& text);
 
-/// Throws Error (damaged) if the run file beside point.json is not the one that was written with it.
-void require_run_file(const std::filesystem::path& run_directory, const Point& point);
-
 /// Writes points/<key>/point.json: aside, synced, renamed.
 void write_point(const std::filesystem::path& file, const Point& point);
 

@@ -33,7 +33,7 @@ void find_named_file(NamedFiles& files, const Study& study, const std::string& v
   }
   const std::string content = read_whole_file(source).value_or("");
   std::string stem = source.stem().string();
-  const std::string digest = digest_of(content).substr(0, 8);
+  const std::string digest = digest_of(content).substr(0, digits_in_name);
   // A copy that we named ourselves keeps its name, so that a campaign's own study.ini can be read again.
   if (const std::string ending = "-" + digest; stem.ends_with(ending)) stem.resize(stem.size() - ending.size());
   files[value] = {source, "files/" + stem + "-" + digest + source.extension().string()};

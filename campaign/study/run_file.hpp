@@ -17,6 +17,9 @@ struct NamedFile {
   std::string stored;            ///< "files/<stem>-<digest><extension>", relative to the campaign
 };
 
+/// How many digits of a named file's digest its stored name ends in.
+inline constexpr std::size_t digits_in_name = 8;
+
 /// The named files of a study by the text that the study file has for them.
 using NamedFiles = std::map<std::string, NamedFile>;
 

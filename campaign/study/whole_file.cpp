@@ -105,4 +105,17 @@ void sync_directory(const std::filesystem::path& directory) {
 
 std::string digest_of(std::string_view bytes) { return fmt::format("{:016x}", XXH64(bytes.data(), bytes.size(), 0)); }
 
+std::string cksum_of(std::string_view bytes) {
+  constexpr std::uint32_t polynomial = 0x04C11DB7;
+  std::uint32_t crc = 0;
+  const auto add = [&](std::uint32_t byte) {
+    crc ^= byte << 24U;
+    for (int bit = 0; bit < 8; ++bit) crc = (crc << 1U) ^ ((crc >> 31U) * polynomial);
+  };
+  for (const char byte : bytes) add(static_cast<unsigned char>(byte));
+  // The length follows, without its leading zeros.
+  for (std::size_t length = bytes.size(); length != 0; length >>= 8U) add(length & 0xFFU);
+  return fmt::format("{} {}", ~crc, bytes.size());
+}
+
 }  // namespace rouleau::campaign

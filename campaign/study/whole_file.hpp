@@ -35,4 +35,7 @@ void sync_directory(const std::filesystem::path& directory);
 /// XXH64 (seed 0) as 16 lower-case hex digits.
 [[nodiscard]] std::string digest_of(std::string_view bytes);
 
+/// "CRC SIZE", as the program `cksum` of POSIX says it: what a shell can compute everywhere.
+[[nodiscard]] std::string cksum_of(std::string_view bytes);
+
 }  // namespace rouleau::campaign

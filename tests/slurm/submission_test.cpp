@@ -5,8 +5,11 @@
 namespace rouleau::campaign {
 namespace {
 
+using rouleau::testing::CampaignProgram;
+using rouleau::testing::content_of;
 using rouleau::testing::eventually;
 using rouleau::testing::FakeCampaign;
+using rouleau::testing::set_content;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -170,6 +173,46 @@ TEST(JobScript, SubmittedByHandGoesOnInAnAttemptOfItsOwn) {
   ASSERT_TRUE(campaign.sync_until_all(State::done)) << campaign.last_words();
   EXPECT_EQ(campaign.slurm.jobs().size(), 2U);
   EXPECT_EQ(campaign.attempts(1), 2);
+}
+
+/// Submits the only point in a job that waits.
+void submit_into_a_queue(const FakeCampaign& campaign) {
+  campaign.slurm.set("pending_reason", "Licenses");
+  ASSERT_EQ(campaign.sync().status, 0);
+  ASSERT_EQ(campaign.slurm.living().size(), 1U);
+}
+
+void let_it_start(const FakeCampaign& campaign) {
+  campaign.slurm.unset("pending_reason");
+  campaign.slurm.control({"pend", campaign.slurm.jobs().at(0).id, "None"});
+}
+
+// The run file was looked at when the job was submitted, and never again.
+TEST(RunFileOfAWaitingJob, IsNotRunWhenItWasEditedMeanwhile) {
+  const FakeCampaign campaign("5", "", "retries = 1\n");
+  submit_into_a_queue(campaign);
+  const std::filesystem::path run = campaign.program.run_directory(1);
+  set_content(run / "run.ini", content_of(run / "run.ini") + "# edited\n");
+  let_it_start(campaign);
+  ASSERT_TRUE(campaign.sync_until_all(State::exhausted)) << campaign.last_words();
+  EXPECT_THAT(campaign.why(1),
+              HasSubstr("run.ini is not the file that `rouleau init` wrote; the solver was not start"));
+  EXPECT_THAT(campaign.why(1), HasSubstr("`rouleau init STUDY DIR` writes it anew"));
+  EXPECT_FALSE(std::filesystem::exists(run / "samples.csv"));
+  ASSERT_EQ(campaign.program.init().status, 0);
+  ASSERT_EQ(campaign.program.rouleau({"retry", "#1", "-C", "c"}).status, 0);
+  EXPECT_TRUE(campaign.sync_until_all(State::done)) << campaign.last_words();
+}
+
+TEST(RunFileOfAWaitingJob, IsRunAsTheStudyHasItAtTheStart) {
+  const FakeCampaign campaign;
+  submit_into_a_queue(campaign);
+  campaign.program.write_study("fluid.lambda = 5", CampaignProgram::execution("engine = slurm\n"), "0.02");
+  ASSERT_EQ(campaign.program.init().status, 0);
+  let_it_start(campaign);
+  ASSERT_TRUE(campaign.sync_until_all(State::done)) << campaign.last_words();
+  EXPECT_EQ(campaign.slurm.jobs().size(), 1U);
+  EXPECT_EQ(campaign.program.point(1).end_step, 200);
 }
 
 }  // namespace

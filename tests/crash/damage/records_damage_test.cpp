@@ -7,7 +7,7 @@
 #include "crash/damage/real_campaign.hpp"
 #include "ingest/run_files.hpp"
 #include "study/error.hpp"
-#include "study/point.hpp"
+#include "study/input_files.hpp"
 
 namespace rouleau::campaign {
 namespace {
@@ -107,7 +107,7 @@ TEST_F(DamagedRunFile, IsNotRunAndInitWritesItAnew) {
     bytes[i] = static_cast<char>(bytes[i] ^ (1U << i % 8U));
     set_content(file, bytes);
     ++figures().damage_positions;
-    EXPECT_THROW(require_run_file(run, point), Error) << i;
+    EXPECT_THROW(require_input_files(run, point), Error) << i;
   }
   // The worst case: another point's physics under this point's key.
   std::string other = sound;

@@ -39,5 +39,11 @@ TEST(ReadWholeFile, PipeWithoutAWriterIsEmpty) {
   EXPECT_EQ(read_whole_file(pipe), "");
 }
 
+TEST(Cksum, IsThatOfTheProgram) {
+  EXPECT_EQ(cksum_of(""), "4294967295 0");
+  EXPECT_EQ(cksum_of("123456789"), "930766865 9");
+  EXPECT_EQ(cksum_of(std::string(70000, '\xff')), "2060310866 70000");
+}
+
 }  // namespace
 }  // namespace rouleau::campaign
