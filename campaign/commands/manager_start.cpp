@@ -26,18 +26,6 @@ std::int64_t room_of(const Point& point, std::size_t generations) {
   return std::max<std::int64_t>(1, missing) * point.facts.checkpoint_bytes + bytes_for_logs;
 }
 
-double MiB_in(const std::filesystem::path& directory) {
-  double bytes = 0;
-  std::error_code unseen;
-  for (std::filesystem::recursive_directory_iterator it(directory, unseen), end; !unseen && it != end;
-       it.increment(unseen)) {
-    std::error_code vanished;  // a living job replaces files meanwhile
-    const std::uintmax_t size = it->is_regular_file(vanished) ? it->file_size(vanished) : 0;
-    if (!vanished) bytes += static_cast<double>(size);
-  }
-  return bytes / (1 << 20);
-}
-
 }  // namespace
 
 std::vector<Startable> Manager::startables() const {
@@ -115,8 +103,7 @@ void Manager::check_room() {
     if (!point.in_study || is_final(point.state)) continue;
     const std::filesystem::path run = run_directory(point.key);
     try {
-      const PlannedPoint planned = planned_point(read_point(run / "point.json"), point.state, 0);
-      need_MiB += std::max(0.0, disk_MiB(planned) - MiB_in(run));
+      need_MiB += missing_MiB(planned_point(read_point(run / "point.json"), point.state, 0), point.state, run);
     } catch (const Error& error) {
       warn_of({name_of(point) + ": " + error.what()});
     }

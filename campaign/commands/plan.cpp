@@ -37,6 +37,7 @@ struct Item {
   Point point;
   State state = State::waiting;
   std::int64_t steps_done = 0;
+  std::filesystem::path run;  ///< its directory; empty: there is none yet
 };
 
 /// What is planned: of a campaign, or of a study file.
@@ -56,7 +57,7 @@ Plan plan_of_study(const std::filesystem::path& file) {
   plan.study = read_study(file);
   const Expansion expansion = expand(plan.study, solver_checker(find_solver()));
   for (const Candidate& candidate : merge({}, expansion).added)
-    plan.items.push_back({candidate.point, State::waiting, 0});
+    plan.items.push_back({candidate.point, State::waiting, 0, {}});
   plan.place = std::filesystem::absolute(file).parent_path();
   plan.scratch = std::make_unique<ScratchDirectory>();
   plan.files = plan.scratch->path() / "files";
@@ -101,7 +102,7 @@ Plan plan_of_campaign(const std::filesystem::path& directory) {
   for (const PointRow& row : store.points()) {
     if (!row.in_study) continue;
     const std::filesystem::path run = point_directory(directory, row.key);
-    Item item{read_point(run / "point.json"), row.state, steps_done(run, row.state, row.end_step)};
+    Item item{read_point(run / "point.json"), row.state, steps_done(run, row.state, row.end_step), run};
     if (plan.run_file.empty() && !is_final(row.state)) plan.run_file = read_whole_file(run / "run.ini").value_or("");
     plan.items.push_back(std::move(item));
   }
@@ -140,7 +141,7 @@ void calibrate_if_needed(const CommandLine& line, Plan& plan) {
 
 struct Totals {
   std::int64_t steps = 0, steps_left = 0;
-  double core_hours = 0, disk_MiB = 0;
+  double core_hours = 0, disk_MiB = 0, missing_MiB = 0;
   std::vector<double> hours;  ///< of each point
 };
 
@@ -151,15 +152,19 @@ Table table_of(const Plan& plan, Totals& totals) {
   const int ranks = static_cast<int>(plan.study.execution.ranks);
   Table table{"plan", {"point", "parameters", "state", "steps", "steps_left", "core_hours", "hours", "disk_MiB"}, {}};
   for (const Item& item : plan.items) {
-    const PlannedPoint point = planned(item);
+    PlannedPoint point = planned(item);
     const double cost = core_hours(point, plan.cost.value_or(0));
     const std::int64_t steps = item.point.facts.steps;
+    PlannedPoint whole = point;
+    whole.steps_left = steps;
+    point.hours = core_hours(whole, plan.cost.value_or(0)) / ranks;
     table.rows.push_back({fmt::format("#{}", item.point.ordinal), item.point.label(), std::string(word_of(item.state)),
                           steps, point.steps_left, known(plan, cost), known(plan, cost / ranks), disk_MiB(point)});
     totals.steps += steps;
     totals.steps_left += point.steps_left;
     totals.core_hours += cost;
     totals.disk_MiB += disk_MiB(point);
+    totals.missing_MiB += missing_MiB(point, item.state, item.run);
     totals.hours.push_back(cost / ranks);
   }
   const int jobs = jobs_of(plan);
@@ -178,8 +183,9 @@ int plan(const CommandLine& line) {
   if (line.quiet) return static_cast<int>(Exit::ok);
   const double free = static_cast<double>(std::filesystem::space(plan.place).available) / (1024.0 * 1024.0);
   if (!plan.source.empty()) line.io.err << plan.source << "\n";
-  line.io.err << fmt::format("disk: {:.0f} MiB needed at the end, {:.0f} MiB free at {}{}\n", totals.disk_MiB, free,
-                             plan.place.string(), totals.disk_MiB > free ? ": NOT ENOUGH" : "");
+  line.io.err << fmt::format(
+      "disk: {:.0f} MiB in all at the end, {:.0f} MiB of them to come, {:.0f} MiB free at {}{}\n", totals.disk_MiB,
+      totals.missing_MiB, free, plan.place.string(), totals.missing_MiB > free ? ": NOT ENOUGH" : "");
   return static_cast<int>(Exit::ok);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 
 #include "jobs/estimate.hpp"
 #include "jobs/state.hpp"
@@ -12,5 +13,8 @@ namespace rouleau::campaign {
 
 /// `steps_done`: behind its newest checkpoint. A point that is over has nothing left.
 [[nodiscard]] PlannedPoint planned_point(const Point& point, State state, std::int64_t steps_done);
+
+/// MiB that the point will write beyond what its directory holds already; none if it is over.
+[[nodiscard]] double missing_MiB(const PlannedPoint& point, State state, const std::filesystem::path& run_directory);
 
 }  // namespace rouleau::campaign

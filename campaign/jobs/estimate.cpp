@@ -12,6 +12,7 @@ namespace {
 
 constexpr double bytes_of_sample = 300;  // a line of samples.csv, and about as much again in the database
 constexpr double copies_of_sample = 2;
+constexpr double bytes_of_progress_line = 100;
 constexpr double MiB = 1024.0 * 1024.0;
 constexpr double seconds_an_hour = 3600;
 
@@ -29,7 +30,9 @@ double core_hours(const PlannedPoint& point, double core_seconds_per_cost) {
 double disk_MiB(const PlannedPoint& point) {
   const double checkpoints = static_cast<double>(point.checkpoint_bytes) * (point.checkpoints_kept + 1);
   const double samples = static_cast<double>(point.samples) * point.cells * bytes_of_sample * copies_of_sample;
-  return (checkpoints + samples + static_cast<double>(point.snapshot_bytes)) / MiB;
+  const double progress_lines = point.hours * seconds_an_hour / point.progress_interval_s;
+  return (checkpoints + samples + progress_lines * bytes_of_progress_line + static_cast<double>(point.snapshot_bytes)) /
+         MiB;
 }
 
 double hours_in_all(const std::vector<double>& hours, int jobs) {

@@ -18,6 +18,8 @@ struct PlannedPoint {
   std::int64_t snapshot_bytes = 0;
   std::int64_t samples = 0;
   int cells = 1;
+  double progress_interval_s = 5;
+  double hours = 0;  ///< of wall clock from step 0 to the end; 0 = not known
 };
 
 /// Core-seconds for a step of relative cost 1: what a measurement gives.
@@ -26,7 +28,8 @@ struct PlannedPoint {
 
 [[nodiscard]] double core_hours(const PlannedPoint& point, double core_seconds_per_cost);
 
-/// MiB that the point will take when it is done: kept checkpoints and the one being written, samples, snapshots.
+/// MiB that the point will take when it is done: kept checkpoints and the one being written, samples, snapshots, and
+/// the progress lines in stderr (12 MB a week) if its hours are known.
 [[nodiscard]] double disk_MiB(const PlannedPoint& point);
 
 /// Hours until all are done when `jobs` run at a time, each started in order as soon as a place is free.

@@ -4,13 +4,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "study/point.hpp"
 #include "support/campaign_program.hpp"
 
 namespace rouleau::campaign {
 namespace {
 
 using rouleau::testing::CampaignProgram;
+using rouleau::testing::set_content;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 nlohmann::json rows_of(const std::string& text) { return nlohmann::json::parse(text).at("rows"); }
 
@@ -59,6 +62,49 @@ TEST(CampaignPlan, UsesTheSpeedOfWhatRanAndCountsOnlyWhatIsLeft) {
   EXPECT_EQ(rows[0]["steps_left"], 0);
   EXPECT_EQ(rows[2]["steps_left"], 100);
   EXPECT_GT(rows[3]["core_hours"].get<double>(), 0);
+}
+
+TEST(CampaignPlan, SaysThatCheckpointsCannotFit) {
+  const CampaignProgram program;
+  // 99 points that keep 2 TB of checkpoints each.
+  program.write_study("fluid.lambda = 1:50:0.5", "[output]\ncheckpoints_kept = 2000000000\n");
+  const auto capture = program.rouleau({"plan", "study.ini", "--no-calibrate"});
+  ASSERT_EQ(capture.status, 0) << capture.err;
+  EXPECT_THAT(capture.err, HasSubstr("NOT ENOUGH"));
+}
+
+/// Lets a point write so many bytes of snapshots until its end.
+void set_snapshot_bytes(const CampaignProgram& program, int ordinal, std::uintmax_t bytes) {
+  const std::filesystem::path file = program.run_directory(ordinal) / "point.json";
+  Point point = read_point(file);
+  point.facts.snapshot_bytes = static_cast<std::int64_t>(bytes);
+  write_point(file, point);
+}
+
+// All that the campaign takes in the end was compared with what is free now, as if nothing of it were there already.
+TEST(CampaignPlan, NeedsNoRoomForWhatIsDoneOrOnTheDisk) {
+  constexpr std::uintmax_t GiB = std::uintmax_t{1} << 30U;
+  const CampaignProgram program;
+  program.write_study("fluid.lambda = 1");
+  ASSERT_EQ(program.init().status, 0);
+  ASSERT_EQ(program.run().status, 0);
+  program.write_study("fluid.lambda = 1, 5");
+  ASSERT_EQ(program.init().status, 0);
+  const std::uintmax_t free = std::filesystem::space(program.path()).available;
+  set_snapshot_bytes(program, 1, free + GiB);
+  const auto verdict = [&] { return program.rouleau({"plan", "c", "--no-calibrate"}).err; };
+  EXPECT_THAT(verdict(), Not(HasSubstr("NOT ENOUGH"))) << "the first point is done";
+  set_snapshot_bytes(program, 2, free + GiB);
+  EXPECT_THAT(verdict(), HasSubstr("NOT ENOUGH"));
+
+  const std::filesystem::path snapshots = program.run_directory(2) / "snapshots";
+  std::filesystem::create_directories(snapshots);
+  set_content(snapshots / "000000000010.h5", "");
+  std::filesystem::resize_file(snapshots / "000000000010.h5", 2 * GiB);  // takes no room: nothing is written
+  EXPECT_THAT(verdict(), Not(HasSubstr("NOT ENOUGH")));
+  const auto finished = program.run();
+  EXPECT_EQ(finished.status, 0);
+  EXPECT_THAT(finished.err, Not(HasSubstr("will need"))) << "`run` reckons as `plan` does";
 }
 
 TEST(CampaignPlan, SpeaksCsv) {

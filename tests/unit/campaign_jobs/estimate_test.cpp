@@ -29,6 +29,15 @@ TEST(CampaignEstimate, DiskCountsKeptCheckpointsAndTheOneBeingWritten) {
   EXPECT_GT(disk_MiB(point), 6.0);
 }
 
+// A line every five seconds was in no estimate.
+TEST(CampaignEstimate, DiskCountsTheProgressLinesOfWeeks) {
+  PlannedPoint point;
+  point.hours = 3 * 7 * 24;
+  EXPECT_NEAR(disk_MiB(point), 34.6, 0.1);  // 362880 lines of 100 bytes
+  point.progress_interval_s = 60;
+  EXPECT_NEAR(disk_MiB(point), 34.6 / 12, 0.1);
+}
+
 TEST(CampaignEstimate, WallClockCountsJobsAtATime) {
   EXPECT_EQ(hours_in_all({1, 1, 1, 1}, 2), 2);
   EXPECT_EQ(hours_in_all({3, 1, 1, 1}, 2), 3);
