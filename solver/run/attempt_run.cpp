@@ -85,7 +85,7 @@ class AttemptRun {
       comm_.on_root([&] { log_->start(); });
     }
     RunLoop loop({setup, comm_, *simulation, files_, directory_, attempt_ ? &*attempt_ : nullptr,
-                  log_ ? &*log_ : nullptr, simulation->mesh_digest(), options_.deadline_s, options_.quiet},
+                  log_ ? &*log_ : nullptr, simulation->mesh_digest(), options_.deadline, options_.quiet},
                  resumed_at);
     record_.start_step = loop.start_step();
     try {
@@ -135,11 +135,14 @@ class AttemptRun {
       return log_->obstacle(m.samples);
     };
     PersistentState state = simulation.persistent();
-    const Resumed resumed = load_newest(files_, directory_ / "checkpoints", comm_, expected, state);
-    record_.rejected_checkpoints = resumed.rejected;
-    if (comm_.is_root())
-      for (const RejectedCheckpoint& checkpoint : resumed.rejected)
-        fmt::print(stderr, "checkpoint {} is rejected: {}\n", checkpoint.file, checkpoint.why);
+    Resumed resumed;
+    try {
+      resumed = load_newest(files_, directory_ / "checkpoints", comm_, expected, state);
+    } catch (const NoneCanBeContinued& none) {
+      note_rejected(none.rejected());
+      throw;
+    }
+    note_rejected(resumed.rejected);
     if (!resumed.metadata) {
       if (resumed.rejected.empty()) {
         comm_.on_root([&] { require_nothing_to_lose(); });
@@ -157,6 +160,13 @@ class AttemptRun {
     if (comm_.is_root() && !options_.quiet)
       fmt::print(stderr, "resumed from {} at step {}\n", record_.resumed_from, resumed.metadata->step);
     return resumed.metadata->step;
+  }
+
+  void note_rejected(const std::vector<RejectedCheckpoint>& rejected) {
+    record_.rejected_checkpoints = rejected;
+    if (!comm_.is_root()) return;
+    for (const RejectedCheckpoint& checkpoint : rejected)
+      fmt::print(stderr, "checkpoint {} is rejected: {}\n", checkpoint.file, checkpoint.why);
   }
 
   /// Starting at step 0 puts an empty log in the place of samples.csv. Samples that a checkpoint counted can be in it
@@ -205,16 +215,13 @@ class AttemptRun {
     record_.core_s = record_.wall_s * record_.ranks;
     record_.finished_unix_s = unix_s();
     if (!comm_.is_root()) return;
-    std::filesystem::path where;
-    if (attempt_)
-      where = attempt_->directory();
-    else if (options_.attempt)
-      where = directory_ / "attempts" / std::to_string(*options_.attempt);
-    else
-      return;
+    if (!attempt_ && !options_.attempt) return;
+    const int number = attempt_ ? attempt_->number() : *options_.attempt;
     try {
+      // To the manager a record there would be the end of a process that lives on.
+      if (!owns_attempt(files_, directory_, number, attempt_ ? attempt_->token() : options_.token)) return;
       if (record_.host.empty()) record_.host = this_process(files_).host;
-      write_exit_record(files_, where, record_);
+      write_exit_record(files_, directory_ / "attempts" / std::to_string(number), record_);
     } catch (const Error& error) {  // the code still says it; the reason for the end must not be lost over this
       fmt::print(stderr, "rouleau-solver: {}\n", error.what());
     }

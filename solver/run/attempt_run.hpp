@@ -15,10 +15,10 @@ namespace rouleau {
 
 struct RunOptions {
   std::filesystem::path run_file;
-  std::optional<int> attempt;  ///< made by a manager; none: claim the next
-  std::string token;           ///< of that attempt
-  std::optional<double> deadline_s;
-  Int3 ranks{0, 0, 0};  ///< the cut of the lattice; zeros: chosen
+  std::optional<int> attempt;      ///< made by a manager; none: claim the next
+  std::string token;               ///< of that attempt
+  std::optional<double> deadline;  ///< on the clock of monotonic_s()
+  Int3 ranks{0, 0, 0};             ///< the cut of the lattice; zeros: chosen
   bool quiet = false;
 };
 

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <string_view>
 
+#include "run/stop.hpp"
+
 namespace rouleau {
 
 namespace po = boost::program_options;
@@ -33,9 +35,9 @@ void read_run_options(const po::variables_map& given, RunOptions& run) {
     fail(Exit::usage, "--attempt and --token belong together: give both, or neither to claim the next attempt.");
   if (run.attempt && *run.attempt < 1) fail(Exit::usage, "--attempt {}: attempts are numbered from 1.", *run.attempt);
   if (given.count("deadline-s")) {
-    run.deadline_s = given["deadline-s"].as<double>();
-    if (!(*run.deadline_s > 0))
-      fail(Exit::usage, "--deadline-s {}: a positive number of seconds is needed.", *run.deadline_s);
+    const auto seconds = given["deadline-s"].as<double>();
+    if (!(seconds > 0)) fail(Exit::usage, "--deadline-s {}: a positive number of seconds is needed.", seconds);
+    run.deadline = monotonic_s() + seconds;  // before MPI starts, which takes its time
   }
   if (given.count("ranks")) run.ranks = parse_ranks(given["ranks"].as<std::string>());
   run.quiet = given.count("quiet") > 0;

@@ -26,7 +26,7 @@ double mlups(const Setup& setup, double steps_per_s) {
 
 RunLoop::RunLoop(const LoopParts& parts, std::optional<std::int64_t> resumed_at)
     : parts_(parts),
-      stop_(parts.comm, parts.deadline_s, parts.run_directory / "stop"),
+      stop_(parts.comm, parts.deadline, parts.run_directory / "stop"),
       snapshots_(parts.setup, parts.comm, parts.files, parts.run_directory, parts.attempt),
       bar_(parts.comm.is_root() && !parts.quiet),
       start_step_(resumed_at.value_or(0)),

@@ -34,7 +34,7 @@ struct LoopParts {
   Attempt* attempt;
   SampleLog* log;
   std::string mesh_digest;
-  std::optional<double> deadline_s;
+  std::optional<double> deadline;  ///< on the clock of monotonic_s()
   bool quiet = false;
 };
 

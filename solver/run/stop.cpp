@@ -30,10 +30,8 @@ double monotonic_s() {
 
 double unix_s() { return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count(); }
 
-StopWatch::StopWatch(const Communicator& comm, std::optional<double> deadline_s, std::filesystem::path stop_file)
-    : comm_(comm), stop_file_(std::move(stop_file)) {
-  if (deadline_s) deadline_ = monotonic_s() + *deadline_s;
-}
+StopWatch::StopWatch(const Communicator& comm, std::optional<double> until, std::filesystem::path stop_file)
+    : comm_(comm), deadline_(until), stop_file_(std::move(stop_file)) {}
 
 StopWatch::Reason StopWatch::own_reason() {
   if (caught_signal) return signal;

@@ -15,8 +15,8 @@ void catch_stop_signals();
 
 class StopWatch {
  public:
-  /// `deadline_s` seconds from now, if any; `stop_file` is looked for about once a second.
-  StopWatch(const Communicator& comm, std::optional<double> deadline_s, std::filesystem::path stop_file);
+  /// `until`, if any: the deadline on the clock of monotonic_s(); `stop_file` is looked for about once a second.
+  StopWatch(const Communicator& comm, std::optional<double> until, std::filesystem::path stop_file);
 
   /// Seconds that a checkpoint takes: the deadline is met if it is begun that long before. Twice the last one, at least
   /// 2 s.

@@ -48,6 +48,12 @@ int newest_attempt(FileSystem& files, const fs::path& run_directory) {
   return newest;
 }
 
+bool owns_attempt(FileSystem& files, const fs::path& run_directory, int number, const std::string& token) {
+  std::string owner;
+  return read_file_if_there(files, run_directory / "attempts" / std::to_string(number) / "owner", owner) &&
+         first_line(owner) == token;
+}
+
 Attempt::Attempt(FileSystem& files, fs::path run, int number, std::string token)
     : files_(&files), run_(std::move(run)), number_(number), token_(std::move(token)) {}
 
@@ -83,9 +89,7 @@ void Attempt::disarm_older() const {
 fs::path Attempt::directory() const { return run_ / "attempts" / std::to_string(number_); }
 
 bool Attempt::is_newest() const {
-  if (newest_attempt(*files_, run_) != number_) return false;
-  std::string owner;
-  return read_file_if_there(*files_, directory() / "owner", owner) && first_line(owner) == token_;
+  return newest_attempt(*files_, run_) == number_ && owns_attempt(*files_, run_, number_, token_);
 }
 
 void Attempt::fence() const {

@@ -42,6 +42,10 @@ class Attempt {
   std::string token_;
 };
 
+/// Whether attempts/<number>/owner holds this token. Another's folder is not to be written to.
+[[nodiscard]] bool owns_attempt(FileSystem& files, const std::filesystem::path& run_directory, int number,
+                                const std::string& token);
+
 /// The highest attempt number in `<run>/attempts`; 0 if there is none.
 [[nodiscard]] int newest_attempt(FileSystem& files, const std::filesystem::path& run_directory);
 

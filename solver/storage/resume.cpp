@@ -192,9 +192,7 @@ Resumed load_newest(FileSystem& files, const fs::path& directory, const Communic
   }
   comm.on_root([&] { require_readable(files, directory, resumed.rejected); });
   // Starting anew would in time delete a checkpoint that nothing is wrong with.
-  if (!intact.empty()) {
-    throw Error(Exit::bad_input, intact);
-  }
+  if (!intact.empty()) throw NoneCanBeContinued(intact, std::move(resumed.rejected));
   return resumed;
 }
 

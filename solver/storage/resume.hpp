@@ -7,8 +7,10 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/error.hpp"
 #include "parallel/communicator.hpp"
 #include "storage/file_system.hpp"
 #include "storage/metadata.hpp"
@@ -41,6 +43,18 @@ struct Resumed {
   std::vector<RejectedCheckpoint> rejected;  ///< newest first
 };
 
+/// Nothing could be loaded although an intact checkpoint is there. `what` names the newest of those.
+class NoneCanBeContinued : public Error {
+ public:
+  NoneCanBeContinued(const std::string& message, std::vector<RejectedCheckpoint> rejected)
+      : Error(Exit::bad_input, message), rejected_(std::move(rejected)) {}
+  /// All of them, newest first.
+  [[nodiscard]] const std::vector<RejectedCheckpoint>& rejected() const { return rejected_; }
+
+ private:
+  std::vector<RejectedCheckpoint> rejected_;
+};
+
 /// The generations in a directory, newest first. Files with other names are not looked at.
 [[nodiscard]] std::vector<std::filesystem::path> find_checkpoints(FileSystem& files,
                                                                   const std::filesystem::path& directory);
@@ -49,7 +63,7 @@ struct Resumed {
 /// Damaged files (seal, name, manifest, metadata, values) and files that cannot be continued (other layout version,
 /// other items, another run's identity, `obstacle`) are rejected with a reason and the next older generation is tried.
 /// leaves  `state` unspecified if nothing could be loaded: the caller starts anew or stops
-/// throws  Error(bad_input) if nothing could be loaded although an intact checkpoint is there: a parameter that has
+/// throws  NoneCanBeContinued if nothing could be loaded although an intact checkpoint is there: a parameter that has
 ///         changed is named with its old and new value; Error(io) if a file cannot be read for a reason that may pass,
 ///         or if the medium cannot read one (EIO) and no other can be loaded
 Resumed load_newest(FileSystem& files, const std::filesystem::path& directory, const Communicator& comm,

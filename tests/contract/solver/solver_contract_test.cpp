@@ -229,6 +229,25 @@ TEST(Section8, OlderAttemptStopsWith76AndWritesNothing) {
   EXPECT_EQ(run.run(1, {"--attempt", "2", "--token", "new"}).code, 0);
 }
 
+// Its exit.json would be taken for the end of the owner's process.
+TEST(Section8, StartWithAnothersAttemptWritesNothingIntoItsFolder) {
+  SmallRun run;
+  make_attempt(run, 1, "owner's");
+  const auto expect_nothing_written = [&](int attempt, int code, const std::string& word) {
+    const Finished finished = run.run(1, {"--attempt", std::to_string(attempt), "--token", "wrong"});
+    EXPECT_EQ(finished.code, code);
+    EXPECT_NE(finished.err.find(word), std::string::npos) << finished.err;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(run.path("attempts")))
+      EXPECT_TRUE(entry.is_directory() || entry.path().filename() == "owner") << entry.path() << " was written";
+  };
+  expect_nothing_written(1, 76, "attempt 1 belongs to another owner");
+  std::filesystem::create_directory(run.path("attempts/2"));
+  expect_nothing_written(2, 64, "no such attempt");
+  std::filesystem::remove(run.path("attempts/2"));
+  run.set("fluid.lambda", "minus two");
+  expect_nothing_written(1, 65, "minus two is not a number");
+}
+
 TEST(Section10, CheckpointsThatAreOutOfReachEndTheRunAndTheSamplesStay) {
   const SmallRun undisturbed;
   undisturbed.finish();

@@ -222,6 +222,27 @@ TEST_F(Resume, IntactCheckpointsThatCannotBeContinuedAreNotIgnored) {
   EXPECT_THAT(error.what(), HasSubstr("samples.csv is missing"));
 }
 
+// The message names the newest intact one; which others there were, and why, would not be known.
+TEST_F(Resume, RefusalCarriesAllThatWereRejected) {
+  for (const std::int64_t step : {10, 20, 30}) save(step);
+  damage(30, [](std::string& content) { content.resize(content.size() - 100); });
+  expected.obstacle = [](const CheckpointMetadata& m) {
+    return std::optional<std::string>(fmt::format("no samples of step {}", m.step));
+  };
+  try {
+    load();
+    FAIL() << "was loaded";
+  } catch (const NoneCanBeContinued& none) {
+    EXPECT_EQ(none.code(), Exit::bad_input);
+    EXPECT_THAT(none.what(), HasSubstr("no samples of step 20"));
+    ASSERT_EQ(none.rejected().size(), 3U);
+    EXPECT_EQ(none.rejected()[0].file, checkpoint_name(30));
+    EXPECT_THAT(none.rejected()[0].why, HasSubstr("damaged"));
+    EXPECT_EQ(none.rejected()[1].why, "no samples of step 20");
+    EXPECT_EQ(none.rejected()[2].why, "no samples of step 10");
+  }
+}
+
 TEST_F(Resume, OtherLayoutVersionIsRejectedByName) {
   save(10);
   save(20);

@@ -303,5 +303,20 @@ TEST_F(Samples, FullDiskIsAnIoError) {
   }
 }
 
+// A checkpoint must not count samples that may be lost with the power.
+TEST_F(Samples, SyncThatFailsIsAnIoErrorThatNamesTheFile) {
+  log.start();
+  add(log, 0, 3);
+  files.failing_call = "fsync";
+  files.failing_errno = EIO;
+  try {
+    static_cast<void>(log.sync());
+    FAIL() << "was taken for synced";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), Exit::io);
+    EXPECT_THAT(error.what(), HasSubstr(path.string() + ": fsync failed"));
+  }
+}
+
 }  // namespace
 }  // namespace rouleau::testing
