@@ -172,6 +172,29 @@ class PointCheck {
   std::vector<Finding> findings_;
 };
 
+/// study.ini against the database's copy, which is what `run` goes by; a rebuilt database would go by the file.
+void compare_studies(std::vector<Finding>& findings, const Store& reader, const std::filesystem::path& directory) {
+  const CampaignRow campaign = reader.campaign();
+  if (digest_of(campaign.study_text) != campaign.study_digest) {
+    const std::string database = reader.database().file().filename().string();
+    findings.push_back({"", database, true, "its copy of the study is damaged; `rouleau rebuild` makes it anew"});
+    return;
+  }
+  try {
+    const std::optional<std::string> text = read_whole_file(directory / "study.ini");
+    if (text == campaign.study_text) return;
+    findings.push_back(
+        {"", "study.ini", true,
+         fmt::format("it {}; `rouleau init STUDY DIR` with your own study file writes both anew (`rouleau "
+                     "rebuild` would take what is there)",
+                     text ? "is not the study that the database holds: it is damaged or was edited, or "
+                            "`rouleau init` was cut short"
+                          : "is missing")});
+  } catch (const Error& error) {
+    findings.push_back({"", "study.ini", true, error.what()});
+  }
+}
+
 }  // namespace
 
 std::vector<Finding> verify_database(const Store& reader, const std::filesystem::path& campaign_directory) {
@@ -184,8 +207,7 @@ std::vector<Finding> verify_database(const Store& reader, const std::filesystem:
     findings.push_back({"", file, true,
                         fmt::format("a row of `{}` belongs to no point; `rouleau rebuild` makes it anew",
                                     std::get<std::string>(row[0]))});
-  if (const CampaignRow campaign = reader.campaign(); digest_of(campaign.study_text) != campaign.study_digest)
-    findings.push_back({"", file, true, "its copy of the study is damaged; `rouleau rebuild` makes it anew"});
+  compare_studies(findings, reader, campaign_directory);
   std::error_code error;
   for (std::filesystem::directory_iterator it(campaign_directory / "points", error), end; !error && it != end;
        it.increment(error)) {

@@ -19,7 +19,8 @@ struct Finding {
   std::string problem;  ///< what, where, and what to do
 };
 
-/// SQLite's own checks, foreign keys, and point folders that the database does not know.
+/// SQLite's own checks, foreign keys, study.ini against the study in it, and point folders that the database does not
+/// know.
 std::vector<Finding> verify_database(const Store& reader, const std::filesystem::path& campaign_directory);
 
 /// One point: point.json against the parameters; every line of samples.csv against its check and against the samples;

@@ -34,7 +34,7 @@ class VerifyTest : public ::testing::Test {
  protected:
   /// A campaign of one point that is done and in order.
   VerifyTest()
-      : store_(Store::create(campaign_.path() / "campaign.db", {"small", "", digest_of(""), 1.7e9, "0", "0"})) {
+      : store_(Store::create(campaign_.path() / "campaign.db", {"small", text_, digest_of(text_), 1.7e9, "0", "0"})) {
     const Point point = campaign_.add_point(1);
     store_.add_point(row_of(point), parameter_rows_of(point), "added");
     campaign_.add_attempt(key_, 1);
@@ -63,6 +63,7 @@ class VerifyTest : public ::testing::Test {
   }
 
   testing::WrittenCampaign campaign_;
+  std::string text_ = content_of(campaign_.path() / "study.ini");
   Store store_;
   std::string key_ = "000000abc001";
 };
@@ -87,6 +88,17 @@ TEST_F(VerifyTest, ChangedResultInTheDatabaseIsFound) {
 TEST_F(VerifyTest, ChangedCopyOfTheStudyInTheDatabaseIsFound) {
   store_.database().execute("UPDATE campaign SET study_text = '[execution]' || char(10) || 'retries = 0';");
   EXPECT_THAT(findings(), ElementsAre(damage("campaign.db", "copy of the study is damaged")));
+}
+
+// The database's copy was compared with its own digest only.
+TEST_F(VerifyTest, StudyFileThatIsNotTheDatabasesIsFound) {
+  const std::filesystem::path file = campaign_.path() / "study.ini";
+  change_byte(file, text_.find("retries = 2") + 10);
+  EXPECT_THAT(findings(), ElementsAre(damage("study.ini", "not the study that the database holds")));
+  std::filesystem::remove(file);
+  EXPECT_THAT(findings(), ElementsAre(damage("study.ini", "is missing; `rouleau init STUDY DIR`")));
+  std::filesystem::create_directory(file);
+  EXPECT_THAT(findings(), ElementsAre(damage("study.ini", "study.ini")));
 }
 
 TEST_F(VerifyTest, ChangedPointInTheDatabaseIsFound) {
