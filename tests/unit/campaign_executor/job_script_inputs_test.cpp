@@ -15,6 +15,7 @@ using ::testing::HasSubstr;
 // The manager looks at the submission; a queue may hold the job for days after that.
 TEST_F(JobScriptRun, PointWhoseInputFilesHaveChangedIsLeftAloneAndTheOthersRun) {
   const std::string mesh = "files/cell of  $(touch hacked) `id`-0123abcd.off";
+  std::filesystem::create_directory(campaign_ / "files");
   set_content(campaign_ / mesh, "OFF\n");
   for (const std::string key : {"a", "b", "c", "d"}) {
     add_point(key, "exit 0");

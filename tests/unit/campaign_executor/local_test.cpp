@@ -103,6 +103,36 @@ TEST_F(LocalJob, RunsToItsEnd) {
   EXPECT_EQ(read_exit_file(run_ / "attempts/1/exit.json", warnings)->code, 0);
 }
 
+/// Whether a process that blocks SIGUSR2 was sent one.
+bool was_sent(pid_t pid) {
+  const std::string status = content_of("/proc/" + std::to_string(pid) + "/status");
+  const std::size_t at = status.find("ShdPnd:");
+  return (std::stoull(status.substr(at + 7), nullptr, 16) >> (SIGUSR2 - 1) & 1U) != 0;
+}
+
+TEST_F(LocalJob, IsNotAskedToStopWhenItsNumberIsAnothersNow) {
+  set_content(run_ / "attempts/1/started.json", "{}");
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGUSR2);
+  ::sigprocmask(SIG_BLOCK, &signals, nullptr);
+  const pid_t stranger = ::fork();
+  if (stranger == 0) {
+    for (;;) ::pause();
+  }
+  ::sigprocmask(SIG_UNBLOCK, &signals, nullptr);
+  process_ = identity_of(stranger).value();
+  ProcessIdentity recorded = process_;
+  --recorded.start_ticks;
+  executor_.ask_to_stop(recorded, run_, 1);
+  recorded = process_;
+  recorded.boot_id = "00000000-0000-0000-0000-000000000000";
+  executor_.ask_to_stop(recorded, run_, 1);
+  EXPECT_FALSE(was_sent(stranger));
+  executor_.ask_to_stop(process_, run_, 1);
+  EXPECT_TRUE(was_sent(stranger)) << "this test would not see a signal";
+}
+
 TEST_F(LocalJob, StopsBehindACheckpointWhenAsked) {
   process_ = executor_.launch(order_);
   ASSERT_TRUE(eventually([&] { return std::filesystem::exists(run_ / "attempts/1/started.json"); }));
