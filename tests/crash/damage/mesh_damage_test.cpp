@@ -45,6 +45,10 @@ TEST(DamagedMesh, IsNotRunAndInitWritesItAnew) {
   std::filesystem::remove(copy);
   expect_refused("missing");
   expect_mended();
+
+  set_content(program.run_directory(1) / "inputs", "1 2 run.ini\n");
+  EXPECT_THAT(program.rouleau({"verify", "c"}).out, HasSubstr("inputs: the sums in it are not those of run.ini"));
+  EXPECT_EQ(program.init().status, 0);
   const auto finished = program.run();
   EXPECT_EQ(finished.status, 0) << finished.err;
   EXPECT_EQ(program.rouleau({"verify", "c"}).status, 0);
