@@ -41,6 +41,13 @@ class Recovery : public ::testing::Test {
     claim_attempt(program_.run_directory(1), 1, "token");
     return executor.launch({FAKE_SOLVER_PROGRAM, program_.run_directory(1), 1, "token", 1, -1, {}, 0});
   }
+  /// As if that process had been started for attempt 1.
+  void leave_attempt_of(const ProcessIdentity& process) const {
+    record_intent(AttemptState::launched);
+    const auto run = program_.run_directory(1);
+    claim_attempt(run, 1, "token");
+    set_content(run / "attempts/1/process.json", process_json(process, 1, -1));
+  }
   void expect_done_in(std::size_t attempts) const {
     const auto capture = program_.run();
     EXPECT_EQ(capture.status, 0) << capture.err;
@@ -119,11 +126,22 @@ TEST_F(Recovery, StaleStopFileDoesNotStopTheNextStart) {
   expect_done_in(1);
 }
 
+TEST_F(Recovery, ProcessOfAnEarlierBootIsGoneThoughItsNumberLives) {
+  ProcessIdentity process = identity_of(::getpid()).value();
+  process.boot_id = "00000000-0000-0000-0000-000000000000";
+  leave_attempt_of(process);
+  expect_done_in(2);
+}
+
+TEST_F(Recovery, ProcessWhoseNumberIsAnothersNowIsGone) {
+  ProcessIdentity process = identity_of(::getpid()).value();
+  --process.start_ticks;
+  leave_attempt_of(process);
+  expect_done_in(2);
+}
+
 TEST_F(Recovery, OtherHostIsNotGuessedAbout) {
-  record_intent(AttemptState::launched);
-  const auto run = program_.run_directory(1);
-  claim_attempt(run, 1, "token");
-  set_content(run / "attempts/1/process.json", process_json({"elsewhere", "some-boot", 4711, 12345}, 1, -1));
+  leave_attempt_of({"elsewhere", "some-boot", 4711, 12345});
   const auto capture = program_.run();
   EXPECT_EQ(capture.status, 4);
   EXPECT_THAT(capture.err, HasSubstr("was started on host elsewhere"));
