@@ -16,23 +16,41 @@
 namespace rouleau::testing {
 namespace {
 
-constexpr std::array<std::pair<Loss, const char*>, 3> losses = {
-    {{Loss::all_pending, "all that was not synced"}, {Loss::data, "data"}, {Loss::names, "names"}}};
+struct PowerLoss {
+  Loss loss;
+  std::uint64_t seed;  ///< of a mixed one
+  const char* name;
+};
+
+constexpr std::array<PowerLoss, 3> whole_losses = {{{Loss::all_pending, 0, "all that was not synced"},
+                                                    {Loss::data, 0, "data that was not synced"},
+                                                    {Loss::names, 0, "names that were not synced"}}};
+constexpr PowerLoss mixed_loss{Loss::mixed, 0, "some of what was not synced"};
+
+/// What is lost at the n-th place that is looked at: in the short form one of the whole losses and a mixed one.
+std::vector<PowerLoss> losses_at(std::size_t turn) {
+  std::vector<PowerLoss> losses(whole_losses.begin(), whole_losses.end());
+  if (!is_long_form()) losses = {whole_losses[turn % whole_losses.size()]};
+  const std::size_t seeds = is_long_form() ? 2 : 1;
+  for (std::size_t i = 0; i < seeds; ++i) {
+    losses.push_back(mixed_loss);
+    losses.back().seed = seeds * turn + i;
+  }
+  return losses;
+}
 
 /// Calls `examine` for losses before the first and behind each of the calls: a sample of them in the short form.
 void for_each_loss(DiskModel& model, const std::vector<RecordedCall>& calls, std::int64_t sample,
-                   const std::function<void(Loss loss, std::int64_t call)>& examine) {
+                   const std::function<void(const PowerLoss& loss, std::int64_t call)>& examine) {
   std::size_t applied = 0, turn = 0;
   for (const std::int64_t place : planned_places(static_cast<std::int64_t>(calls.size()) + 1, sample)) {
     while (applied < static_cast<std::size_t>(place - 1)) model.apply(calls[applied++]);
-    for (const auto& loss : losses) {
-      if (!is_long_form() && &loss != &losses[turn % losses.size()]) continue;
-      SCOPED_TRACE(fmt::format("{} lost behind call {} of {}", loss.second, place - 1, calls.size()));
+    for (const PowerLoss& loss : losses_at(turn++)) {
+      SCOPED_TRACE(fmt::format("{} lost behind call {} of {}, seed {}", loss.name, place - 1, calls.size(), loss.seed));
       ++tally().power_losses;
-      examine(loss.first, place - 1);
+      examine(loss, place - 1);
       if (::testing::Test::HasFailure() && !is_long_form()) return;
     }
-    ++turn;
   }
 }
 
@@ -54,9 +72,9 @@ void expect_survival(int ranks, std::int64_t sample) {
   DiskModel model(undisturbed.directory());
   const std::vector<RecordedCall> calls = recorded(undisturbed, ranks);
   const std::string end = undisturbed.fingerprint();
-  for_each_loss(model, calls, sample, [&](Loss loss, std::int64_t call) {
+  for_each_loss(model, calls, sample, [&](const PowerLoss& loss, std::int64_t call) {
     const BusyRun run;
-    model.restore(loss, run.directory());
+    model.restore(loss.loss, run.directory(), loss.seed);
     run.finish(ranks);
     const nlohmann::json record = run.exit_record();
     if (!record.at("rejected_checkpoints").empty()) ++tally().wrong_resumes;
@@ -88,9 +106,9 @@ TEST(PowerLoss, AtAnyCallOfManagerAndSolversLeavesNoTraceInTheCampaign) {
     calls = read_calls(faults.log());
   }
   const CampaignOutcome end = outcome_of(undisturbed);
-  for_each_loss(model, calls, 9, [&](Loss loss, std::int64_t call) {
+  for_each_loss(model, calls, 9, [&](const PowerLoss& loss, std::int64_t call) {
     const CampaignProgram program(ROULEAU_SOLVER);
-    model.restore(loss, program.path());
+    model.restore(loss.loss, program.path(), loss.seed);
     if (call < calls_of_init) {
       const auto made = program.init();
       EXPECT_EQ(made.status, 0) << made.err;

@@ -19,6 +19,17 @@ std::shared_ptr<const std::string> shared(std::string text) {
   return std::make_shared<const std::string>(std::move(text));
 }
 
+bool has_survived(std::mt19937_64& lots) { return lots() % 2 == 0; }
+
+/// All, nothing, or the blocks in front of what was not synced has reached the disk.
+std::string mixed_data(const std::string& now, const std::string& synced, std::mt19937_64& lots) {
+  constexpr std::size_t block = 4096;
+  const std::size_t lot = lots() % 3;
+  if (lot < 2) return lot == 0 ? now : synced;
+  const std::size_t cut = block * (lots() % (now.size() / block + 1));
+  return now.substr(0, cut) + (synced.size() > cut ? synced.substr(cut) : "");
+}
+
 std::string name_in(const std::string& path) { return fs::path(path).lexically_normal().filename().string(); }
 
 }  // namespace
@@ -98,20 +109,34 @@ void DiskModel::apply(const RecordedCall& call) {
   node->data = shared(std::move(content));
 }
 
-void DiskModel::write(const Node& node, bool with_names, bool with_data, const fs::path& target) {
+void DiskModel::write(const Node& node, Loss loss, std::mt19937_64& lots, const fs::path& target) {
+  const bool with_names = loss == Loss::nothing || loss == Loss::data;
+  const bool with_data = loss == Loss::nothing || loss == Loss::names;
   if (!node.is_directory) {
-    set_content(target, with_data ? *node.data : *node.synced_data);
+    const bool is_drawn = loss == Loss::mixed && *node.data != *node.synced_data;
+    set_content(target, is_drawn    ? mixed_data(*node.data, *node.synced_data, lots)
+                        : with_data ? *node.data
+                                    : *node.synced_data);
     return;
   }
   fs::create_directories(target);
-  for (const auto& [name, child] : with_names ? node.entries : node.synced_entries) {
-    write(*child, with_names, with_data, target / name);
+  std::map<std::string, NodePointer> entries = with_names ? node.entries : node.synced_entries;
+  if (loss == Loss::mixed) {
+    // What has happened to a name since the directory was synced, a removal included, has reached the disk or not.
+    for (const auto& [name, child] : node.entries)
+      if (const auto before = node.synced_entries.find(name);
+          (before == node.synced_entries.end() || before->second != child) && has_survived(lots))
+        entries[name] = child;
+    for (const auto& [name, child] : node.synced_entries)
+      if (!node.entries.contains(name) && has_survived(lots)) entries.erase(name);
   }
+  for (const auto& [name, child] : entries) write(*child, loss, lots, target / name);
 }
 
-void DiskModel::restore(Loss loss, const fs::path& target) const {
+void DiskModel::restore(Loss loss, const fs::path& target, std::uint64_t seed) const {
   fs::remove_all(target);
-  write(*root_, loss == Loss::nothing || loss == Loss::data, loss == Loss::nothing || loss == Loss::names, target);
+  std::mt19937_64 lots(seed);
+  write(*root_, loss, lots, target);
 }
 
 void DiskModel::collect(const Node& node, const std::string& prefix, std::map<std::string, std::string>& found) {

@@ -21,6 +21,12 @@ struct Injection {
   bool lasts = false;  ///< all later calls that need room on the disk fail too
 };
 
+/// The call that a fault has come at.
+struct StruckCall {
+  std::string name;         ///< as in RecordedCall
+  std::string path, other;  ///< absolute
+};
+
 class Faults {
  public:
   /// Watches the files below `directory`, in programs with this name ("" for all).
@@ -36,6 +42,8 @@ class Faults {
 
   [[nodiscard]] std::int64_t calls() const { return state_->calls; }
   [[nodiscard]] std::int64_t injected() const { return state_->injected; }
+  /// What the call was; another than the recorded one of that number, where clock or ranks have changed the order.
+  [[nodiscard]] StruckCall struck() const { return {state_->name.data(), state_->path.data(), state_->other.data()}; }
   [[nodiscard]] pid_t victim() const { return static_cast<pid_t>(state_->victim.load()); }
   [[nodiscard]] std::filesystem::path log() const { return place_.path() / "calls"; }
 

@@ -3,6 +3,7 @@
 // environment.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 
@@ -31,7 +32,9 @@ struct FaultState {
   std::int64_t at;                     ///< the call, from 1, that the fault comes at; 0: none
   Fault fault;
   std::int32_t error_number;
-  std::int32_t lasts;  ///< not 0: every later call that needs room on the disk fails too
+  std::int32_t lasts;                  ///< not 0: every later call that needs room on the disk fails too
+  std::array<char, 32> name;           ///< of the call that the fault came at
+  std::array<char, 1024> path, other;  ///< its file, and the new name of a rename
 };
 
 }  // namespace rouleau::testing

@@ -76,6 +76,11 @@ int log_file() {
 
 thread_local std::int64_t number = 0;  // of the call under way
 
+template <std::size_t size>
+void note(const std::string& text, std::array<char, size>& place) {
+  place[text.copy(place.data(), size - 1)] = '\0';
+}
+
 }  // namespace
 
 bool is_watched(const std::string& path) {
@@ -104,6 +109,11 @@ Treatment count_call(const WatchedCall& call) {
   const bool is_write = call.bytes != nullptr && call.count > 1;
   if (state.fault == Fault::none || (!is_write && (state.fault == Fault::brief || state.fault == Fault::torn)))
     return {};
+  if (is_due) {
+    note(call.name, state.name);
+    note(call.path, state.path);
+    note(call.other, state.other);
+  }
   state.victim = ::getpid();
   ++state.injected;
   switch (state.fault) {
