@@ -8,6 +8,7 @@
 #include "crash/faults/plan.hpp"
 #include "support/campaign_outcome.hpp"
 #include "support/fault_shim/call_log.hpp"
+#include "support/fault_shim/disk_model.hpp"
 
 namespace rouleau::testing {
 namespace {
@@ -112,12 +113,23 @@ struct Command {
   const char* name;
   std::vector<std::string> words;
   std::function<void(const CampaignProgram& program)> prepare;
+  const char* sweep = "fluid.lambda = 1, 8";  ///< of the campaign as it was made
 };
 
 void do_without_fault(const CampaignProgram& program, const std::vector<std::string>& words) {
   const auto end = program.rouleau(words);
   EXPECT_EQ(end.status, 0) << end.err;
 }
+/// Point 2 computes, and stays at a step behind its first checkpoint until it is asked to stop.
+void run_until_the_second_hangs(const CampaignProgram& program) {
+  program.script(2, "hang 60\n");
+  do_without_fault(program, {"sync", "c"});
+  EXPECT_TRUE(eventually([&] {
+    return program.jobs().size() == 1 &&
+           std::filesystem::exists(program.run_directory(2) / "checkpoints/000000000050.h5");
+  }));
+}
+
 const std::vector<std::string> cancel_one = {"cancel", "#2", "-C", "c"}, retry_one = {"retry", "#2", "-C", "c"};
 
 const std::vector<Command> commands = {
@@ -133,13 +145,21 @@ const std::vector<Command> commands = {
        do_without_fault(program, {"run", "c"});
      }},
     {"Cancel", cancel_one, [](const CampaignProgram&) {}},
+    {"CancelOfARunningPoint", cancel_one, run_until_the_second_hangs},
+    {"InitWithOneValueMore",
+     {"init", "study.ini", "c"},
+     [](const CampaignProgram& program) {
+       do_without_fault(program, {"run", "c"});
+       write_small_study(program);
+     },
+     "fluid.lambda = 1"},
     {"Retry", retry_one, [](const CampaignProgram& program) { do_without_fault(program, cancel_one); }},
 };
 
 class CommandFaults : public CampaignFaults, public ::testing::WithParamInterface<Command> {
  protected:
   static void make(const CampaignProgram& program) {
-    write_small_study(program);
+    program.write_study(GetParam().sweep, CampaignProgram::execution());
     do_without_fault(program, {"init", "study.ini", "c"});
     GetParam().prepare(program);
   }
@@ -160,6 +180,7 @@ TEST_P(CommandFaults, LeaveNoTraceWhenItIsGivenAgain) {
     if (!is_retried) do_without_fault(program, GetParam().words);
     if (GetParam().words == cancel_one) {
       EXPECT_EQ(program.state(2), campaign::State::cancelled);
+      EXPECT_TRUE(eventually([&] { return program.jobs().empty(); })) << "it was not asked to stop";
       do_without_fault(program, retry_one);
     }
     expect_undisturbed_end(program, end);
@@ -169,6 +190,29 @@ TEST_P(CommandFaults, LeaveNoTraceWhenItIsGivenAgain) {
 
 INSTANTIATE_TEST_SUITE_P(, CommandFaults, ::testing::ValuesIn(commands),
                          [](const auto& instance) { return std::string(instance.param.name); });
+
+/// What the calls make of the disk as it was is what lies there now.
+void expect_every_change_seen(const CampaignProgram& program, const std::vector<std::string>& words) {
+  SCOPED_TRACE(words[0]);
+  DiskModel model(program.path());
+  for (const RecordedCall& call : recorded(program, words)) model.apply(call);
+  for (const auto& [name, content] : model.files()) EXPECT_TRUE(content == content_of(program.path() / name)) << name;
+  std::size_t found = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(program.path())) {
+    if (entry.is_regular_file()) ++found;
+  }
+  EXPECT_EQ(found, model.files().size());
+}
+
+TEST(FaultShim, SeesEveryChangeOfTheManager) {
+  const CampaignProgram program;
+  write_small_study(program);
+  expect_every_change_seen(program, {"init", "study.ini", "c"});
+  expect_every_change_seen(program, cancel_one);
+  expect_every_change_seen(program, retry_one);
+  do_without_fault(program, {"run", "c"});
+  expect_every_change_seen(program, {"rebuild", "c"});
+}
 
 }  // namespace
 }  // namespace rouleau::testing
