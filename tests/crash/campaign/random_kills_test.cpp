@@ -34,24 +34,44 @@ void make(const CampaignProgram& program, int kills) {
   ASSERT_EQ(program.init().status, 0);
 }
 
-/// Kills the manager, a job (one of its ranks, or mpirun above them), or, as a machine that goes down, all at once.
-/// returns whether there was anything to kill
-bool kill_something(const CampaignProgram& program, pid_t& manager, std::mt19937& random) {
-  const int victim = std::uniform_int_distribution<>(0, 9)(random);
-  const bool takes_manager = victim < 5, takes_all = victim == 4;
+/// What a kill hits. `everything`: manager and all ranks at once, as a machine that goes down.
+enum class Victim { launcher, manager, rank, everything };
+
+/// Kills of each kind that have hit something; `everything` counts as a manager's and a rank's.
+struct Kills {
+  int done = 0, launchers = 0, managers = 0, ranks = 0;
+};
+
+/// The first three kills come to one of each kind, the launcher's first, which few of the others hit; then by chance.
+Victim next_victim(const Kills& kills, bool has_launchers, std::mt19937& random) {
+  if (has_launchers && kills.launchers == 0) return Victim::launcher;
+  if (kills.managers == 0 && kills.done > 0) return Victim::manager;
+  if (kills.ranks == 0 && kills.done > 0) return Victim::rank;
+  const int lot = std::uniform_int_distribution<>(0, 9)(random);
+  if (lot < 5) return lot == 4 ? Victim::everything : Victim::manager;
+  return lot == 9 && has_launchers ? Victim::launcher : Victim::rank;
+}
+
+/// Kills one process of that kind, if one lives, or everything.   returns whether there was anything to kill
+bool kill_something(const CampaignProgram& program, Victim victim, pid_t& manager, std::mt19937& random, Kills& kills) {
+  const bool takes_all = victim == Victim::everything;
   bool has_killed = false;
-  if (takes_manager && ::kill(manager, SIGKILL) == 0) {
+  if ((takes_all || victim == Victim::manager) && ::kill(manager, SIGKILL) == 0) {
     CampaignProgram::wait_for(manager);
     manager = 0;
+    ++kills.managers;
     has_killed = true;
   }
-  if (takes_manager && !takes_all) return has_killed;
-  const bool is_launcher = victim == 9;
-  std::vector<pid_t> jobs = is_launcher ? program.launchers() : program.jobs();
-  if (jobs.empty()) jobs = program.jobs();
-  std::shuffle(jobs.begin(), jobs.end(), random);
-  if (!takes_all && jobs.size() > 1) jobs.erase(jobs.begin() + 1, jobs.end());
-  for (const pid_t job : jobs) has_killed = ::kill(job, SIGKILL) == 0 || has_killed;
+  if (victim != Victim::manager) {
+    std::vector<pid_t> jobs = victim == Victim::launcher ? program.launchers() : program.jobs();
+    std::shuffle(jobs.begin(), jobs.end(), random);
+    if (!takes_all && jobs.size() > 1) jobs.erase(jobs.begin() + 1, jobs.end());
+    bool has_hit = false;
+    for (const pid_t job : jobs) has_hit = ::kill(job, SIGKILL) == 0 || has_hit;
+    if (has_hit) ++(victim == Victim::launcher ? kills.launchers : kills.ranks);
+    has_killed = has_killed || has_hit;
+  }
+  if (has_killed) ++kills.done;
   return has_killed;
 }
 
@@ -82,8 +102,9 @@ void report(const CampaignOutcome& expected, const CampaignOutcome& found, int k
              lost_samples, wrong_resumes, manual_steps);
 }
 
-/// Runs `disturbed` under random kills, then to its end; expects what `undisturbed` has.
-void expect_no_trace(const CampaignProgram& undisturbed, const CampaignProgram& disturbed, int kills) {
+/// Runs `disturbed` under random kills, then to its end; expects what `undisturbed` has. On several ranks mpirun is
+/// among the victims.
+void expect_no_trace(const CampaignProgram& undisturbed, const CampaignProgram& disturbed, int kills, int ranks = 1) {
   const auto begin = std::chrono::steady_clock::now();
   const auto calm = undisturbed.run();
   ASSERT_EQ(calm.status, 0) << calm.err << undisturbed.rouleau({"status", "c"}).out;
@@ -94,10 +115,15 @@ void expect_no_trace(const CampaignProgram& undisturbed, const CampaignProgram& 
   std::mt19937 random(seed());
   std::uniform_int_distribution<> pause_ms(0, static_cast<int>(took.count()) / (2 * kills));
   pid_t manager = disturbed.start({"run", "c"});
-  int done = 0;
-  for (int tries = 0; done < kills && tries < 10 * kills; ++tries) {
+  Kills done;
+  for (int tries = 0; done.done < kills && tries < 10 * kills; ++tries) {
     std::this_thread::sleep_for(std::chrono::milliseconds(pause_ms(random)));
-    if (kill_something(disturbed, manager, random)) ++done;
+    const Victim victim = next_victim(done, ranks > 1, random);
+    // A launcher lives for a part of the time only: the aim is kept for a while, so that it is one that is hit.
+    for (int looks = 0; !kill_something(disturbed, victim, manager, random, done); ++looks) {
+      if (victim != Victim::launcher || looks == 1000) break;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
     int status = 0;
     if (manager != 0 && ::waitpid(manager, &status, WNOHANG) == manager) break;  // all done before the last kill
     if (manager == 0) manager = disturbed.start({"run", "c"});
@@ -106,8 +132,16 @@ void expect_no_trace(const CampaignProgram& undisturbed, const CampaignProgram& 
     ::kill(manager, SIGKILL);
     CampaignProgram::wait_for(manager);
   }
-  ::testing::Test::RecordProperty("kills", done);
-  EXPECT_EQ(done, kills) << "the campaign was over too soon";
+  ::testing::Test::RecordProperty("kills", done.done);
+  EXPECT_EQ(done.done, kills) << "the campaign was over too soon";
+  fmt::print("{} kills of managers, {} of ranks, {} of mpirun\n", done.managers, done.ranks, done.launchers);
+  if (ranks > 1) {
+    EXPECT_GT(done.launchers, 0);
+  }
+  if (kills > 2) {
+    EXPECT_GT(done.managers, 0);
+    EXPECT_GT(done.ranks, 0);
+  }
 
   const auto capture = disturbed.run();
   EXPECT_EQ(capture.status, 0) << capture.err;
@@ -117,7 +151,7 @@ void expect_no_trace(const CampaignProgram& undisturbed, const CampaignProgram& 
   const CampaignOutcome found = outcome_of(disturbed);
   ASSERT_EQ(found.points.size(), expected.points.size());
   // Nothing but `rouleau run` is called: where it does not do, somebody would have to take a step.
-  if (is_soak()) report(expected, found, done, capture.status != 0 ? 1 : 0);
+  if (is_soak()) report(expected, found, done.done, capture.status != 0 ? 1 : 0);
   for (std::size_t i = 0; i < expected.points.size(); ++i) {
     EXPECT_EQ(found.points[i], expected.points[i]) << i;
     EXPECT_EQ(found.parameters[i], expected.parameters[i]) << i;
@@ -155,7 +189,7 @@ TEST_P(RandomKills, OfRealSolversLeaveNoTraceInTheDatabase) {
     const auto made = program->init();
     ASSERT_EQ(made.status, 0) << made.err;
   }
-  expect_no_trace(undisturbed, disturbed, kills);
+  expect_no_trace(undisturbed, disturbed, kills, GetParam().ranks);
 }
 
 INSTANTIATE_TEST_SUITE_P(Ranks, RandomKills,
