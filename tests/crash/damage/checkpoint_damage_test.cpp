@@ -115,5 +115,29 @@ TEST_F(DamagedCheckpoint, AllOfThemAreARefusalThatTouchesNothing) {
   }
 }
 
+// An intact one among them must not keep the others from being named.
+TEST_F(DamagedCheckpoint, DamagedAndForeignOnesAreARefusalThatNamesThemAll) {
+  SmallRun other(Changes{{"fluid.lambda", "4"}});
+  other.set_steps(ThreeGenerations::steps[1]);
+  other.finish();
+  const std::string foreign = content_of(other.path(generations_->checkpoint(1)));
+  for (const int ranks : {1, 2}) {
+    generations_->put_back();
+    set_content(run().path(generations_->checkpoint(0)), "torn");
+    set_content(run().path(generations_->checkpoint(1)), foreign);
+    set_content(run().path(newest()), generations_->sound(newest()).substr(0, 5000));
+    const Finished finished = run().run(ranks);
+    figures().damage_positions += 2;
+    figures().wrong_resumes += finished.code == 65 ? 0 : 1;
+    EXPECT_EQ(finished.code, 65) << finished.err;
+    const nlohmann::json rejected = run().exit_record().at("rejected_checkpoints");
+    ASSERT_EQ(rejected.size(), 3U) << rejected;
+    EXPECT_THAT(rejected[1].at("why").get<std::string>(), HasSubstr("`fluid.lambda` was 4, the run has 5"));
+    for (const auto& checkpoint : rejected)
+      EXPECT_THAT(finished.err, HasSubstr(checkpoint.at("file").get<std::string>() + " is rejected: "));
+    EXPECT_EQ(content_of(run().path(generations_->checkpoint(1))), foreign);
+  }
+}
+
 }  // namespace
 }  // namespace rouleau::testing
