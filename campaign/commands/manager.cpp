@@ -10,6 +10,7 @@
 #include "ingest/result_file.hpp"
 #include "ingest/run_files.hpp"
 #include "study/error.hpp"
+#include "study/whole_file.hpp"
 
 namespace rouleau::campaign {
 
@@ -21,6 +22,16 @@ std::filesystem::path existing_campaign(const std::filesystem::path& directory) 
          directory.string(), directory.string());
   }
   return std::filesystem::canonical(directory);
+}
+
+/// As `rouleau init` recorded it: what it says of retries and ranks must not come from a damaged text.
+Study kept_study(const Store& store, const std::filesystem::path& directory) {
+  const CampaignRow campaign = store.campaign();
+  if (digest_of(campaign.study_text) != campaign.study_digest) {
+    fail(Exit::damaged, "{}: the study file in it is not the one that was recorded; `rouleau rebuild` makes it anew.",
+         store.database().file().string());
+  }
+  return parse_study(campaign.study_text, directory / "study.ini");
 }
 
 RetryPolicy policy_of(const Execution& execution) {
@@ -53,7 +64,7 @@ Manager::Manager(const std::filesystem::path& directory, const std::string& verb
       say_(std::move(say)),
       lock_(directory_, verb, patience),
       store_(Store::open(directory_ / "campaign.db")),
-      study_(parse_study(store_.campaign().study_text, directory_ / "study.ini")),
+      study_(kept_study(store_, directory_)),
       policy_(policy_of(study_.execution)),
       breaker_(kept_breaker(store_, study_)),
       allowed_(allowed_cores()) {
@@ -92,7 +103,21 @@ const LivingJob* Manager::living_job(const std::string& key) const {
 void Manager::reconcile(bool all) {
   executor_.reap();
   look_at_queue();
-  living_.clear();
+  if (all) breaker_ = kept_breaker(store_, study_);
+  std::vector<LivingJob> before;
+  before.swap(living_);
+  try {
+    look_at_points(all);
+  } catch (const DatabaseError&) {
+    // Of the points that were not come to, no more is known than before; that is what a stop is sent to.
+    for (LivingJob& job : before) {
+      if (living_job(job.key) == nullptr) living_.push_back(std::move(job));
+    }
+    throw;
+  }
+}
+
+void Manager::look_at_points(bool all) {
   std::set<std::string> open;
   for (const AttemptRow& attempt : store_.open_attempts()) open.insert(attempt.point);
   for (const PointRow& point : store_.points()) {
@@ -105,6 +130,8 @@ void Manager::reconcile(bool all) {
       if (all && !is_final(point.state)) warn_of(ingest_point(store_, directory_, point.key).warnings);
       const bool is_done = store_.point(point.key)->state == State::done;
       if (all && is_done) finish(point.key);
+    } catch (const DatabaseError&) {
+      throw;
     } catch (const std::exception& error) {
       warn_of({name_of(point) + ": " + error.what()});
     }
@@ -198,7 +225,7 @@ void Manager::note_failure(const std::string& key, const std::string& reason) {
 }
 
 void Manager::note_progress() {
-  if (breaker_.count() == 0) return;
+  if (breaker_.count() == 0 || breaker_.has_tripped()) return;
   breaker_.note_progress();
   keep(store_, breaker_);
 }
@@ -209,7 +236,15 @@ void Manager::finish(const std::string& key) {
 }
 
 void Manager::ingest_living() {
-  for (const LivingJob& job : living_) warn_of(ingest_point(store_, directory_, job.key).warnings);
+  for (const LivingJob& job : living_) {
+    try {
+      warn_of(ingest_point(store_, directory_, job.key).warnings);
+    } catch (const DatabaseError&) {
+      throw;
+    } catch (const std::exception& error) {
+      warn_of({fmt::format("#{}: {}", job.ordinal, error.what())});
+    }
+  }
 }
 
 void Manager::take_requests() {
@@ -218,6 +253,8 @@ void Manager::take_requests() {
     if (const std::optional<PointRow> point = store_.point(request.key)) {
       try {
         request.wish == Wish::cancel ? cancel(*point) : retry(*point);
+      } catch (const DatabaseError&) {
+        throw;  // the request stays for the next pass
       } catch (const Error& error) {
         say_(name_of(*point) + ": " + error.what());
       }
@@ -277,7 +314,9 @@ void Manager::retry(const PointRow& point) {
   store_.set_retry(point.key, 0, 0);
   const State next = gathered.evidence.newest_checkpoint >= 0 ? State::stopped : State::waiting;
   store_.change_state(point.key, point.state, next, "retry asked for by the user");
-  note_progress();  // who retries has corrected the common cause
+  said_.erase(pause_text(breaker_));  // the next pause is another one
+  breaker_.reset();                   // who retries has corrected the common cause
+  keep(store_, breaker_);
   transaction.commit();
   say_(name_of(point) + ": will be started again");
 }

@@ -47,7 +47,7 @@ struct Engine {
 using StateCounts = std::map<State, int>;
 
 /// Holds the lock and the database of one campaign. Every public function leaves the campaign such that a kill -9 at
-/// any moment needs no manual step.
+/// any moment needs no manual step. A DatabaseError is such a moment too: what was begun is found by the next pass.
 class Manager {
  public:
   using Say = std::function<void(const std::string&)>;
@@ -64,8 +64,8 @@ class Manager {
   /// Carries out the requests that `cancel` and `retry` left.
   void take_requests();
 
-  /// Judges points and records what became of them. `all`: every point, as must be done once; otherwise only those with
-  /// an attempt whose end is not recorded.
+  /// Judges points and records what became of them. `all`: every point, as must be done once, and again after a pass
+  /// that a DatabaseError has ended; otherwise only those with an attempt whose end is not recorded.
   void reconcile(bool all);
 
   /// Warns if the disk has less room than the points left will need until their ends.
@@ -105,6 +105,7 @@ class Manager {
   void cancel_orphans();
   [[nodiscard]] LifeOf life_of_attempt(const AttemptRow* row) const;
   [[nodiscard]] Gathered gather_of(const PointRow& point, const AttemptRow* newest) const;
+  void look_at_points(bool all);
   void settle(const PointRow& point);
   void leave_queue(const AttemptRow& attempt, const Gathered& gathered);
   void follow_job(const PointRow& point, AttemptRow* newest, const Gathered& gathered);

@@ -196,6 +196,8 @@ bool Manager::start_point(const PointRow& point, const Cores& cores) {
     is_claimed = true;
     process = executor_.launch({solver_, run, attempt.number, attempt.token, attempt.ranks, attempt.checkpoint_at_start,
                                 cores, static_cast<int>(study_.execution.niceness)});
+  } catch (const DatabaseError&) {
+    throw;  // the intent was not recorded, and nothing is started without
   } catch (const Error& error) {
     record_failed_launch(point, attempt, is_claimed ? LaunchTrouble::engine : trouble_of(error), error.what());
     return false;
@@ -207,8 +209,8 @@ bool Manager::start_point(const PointRow& point, const Cores& cores) {
   attempt.pid = process.pid;
   attempt.start_ticks = process.start_ticks;
   attempt.state = AttemptState::launched;
-  store_.put_attempt(attempt);
   living_.push_back({point.key, point.ordinal, attempt.number, attempt.ranks, true, process, {}, ""});
+  store_.put_attempt(attempt);
   const char* where = cores.empty() ? "" : cores.size() > 1 ? ", on cores " : ", on core ";
   say_(fmt::format("{}: attempt {} started {}{}{}", name_of(point), attempt.number, how, where, to_text(cores)));
   return true;

@@ -155,6 +155,8 @@ bool Manager::submit_pack(std::vector<PointRow> points) {
     kind = LaunchTrouble::engine;
     submission =
         slurm_->client().submit_held(attempt_directory(run_directory(points[0].key), attempts[0].number) / "job.sh");
+  } catch (const DatabaseError&) {
+    throw;  // the intents were not recorded, and nothing is submitted without
   } catch (const Error& error) {
     submission.trouble = error.what();
   }

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `rouleau run`: passes over the campaign until nothing is left to do.
+#include <algorithm>
 #include <chrono>
+#include <filesystem>
+#include <optional>
 #include <ostream>
+#include <set>
 
 #include "commands/engine_choice.hpp"
 #include "commands/outcome.hpp"
@@ -15,6 +19,7 @@ namespace {
 
 constexpr int tick_ms = 250;  // how soon signals and requests are heeded
 constexpr auto ingest_interval = std::chrono::seconds(30);
+constexpr double trouble_interval_s = 2;  // at least so long after a pass that trouble has ended
 
 /// What the signals have asked for so far.
 enum class Mood { running, stopping, leaving };
@@ -33,20 +38,55 @@ class Run {
     if (line_.is_set("dry-run")) return print_scripts(line_, manager_);
     report_survivors();
     manager_.check_room();
-    while (mood_ != Mood::leaving) {
-      if (mood_ == Mood::running) manager_.start();
-      if (mood_ == Mood::running ? !manager_.has_work() : !manager_.has_local_jobs()) break;
-      if (manager_.engine().self_sustaining && !manager_.has_local_jobs()) return hand_over();
-      wait_for_next_pass();
-      manager_.take_requests();
-      manager_.reconcile(false);
-      ingest_now_and_then();
-    }
+    std::optional<int> code = survive([&] { return start(); });
+    while (!code) code = survive([&] { return wait_and_pass(); });
     progress_.clear();
-    return end();
+    return *code;
   }
 
  private:
+  /// The exit code, when there is nothing more to do.
+  std::optional<int> start() {
+    if (mood_ == Mood::running) manager_.start();
+    const bool has_more = mood_ == Mood::running    ? manager_.has_work()
+                          : mood_ == Mood::stopping ? manager_.has_local_jobs()
+                                                    : false;
+    if (!has_more) return end();
+    if (manager_.engine().self_sustaining && !manager_.has_local_jobs()) return hand_over();
+    return std::nullopt;
+  }
+
+  std::optional<int> wait_and_pass() {
+    wait_for_next_pass();
+    manager_.take_requests();
+    manager_.reconcile(is_disturbed_);  // nothing is concluded from half a pass
+    is_disturbed_ = false;
+    ingest_now_and_then();
+    return start();
+  }
+
+  /// What waiting mends ends one pass, not the manager: jobs go on, and the next pass begins anew.
+  template <class Act>
+  std::optional<int> survive(const Act& act) {
+    try {
+      return act();
+    } catch (const DatabaseError& error) {
+      if (!error.waiting_mends()) throw;
+      warn_of_trouble(error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
+      warn_of_trouble(fmt::format("{}: {}; see that the disk is sound, has room and is yours to write",
+                                  error.path1().string(), error.code().message()));
+    }
+    is_disturbed_ = true;
+    if (mood_ == Mood::leaving) return static_cast<int>(Exit::interrupted);
+    return std::nullopt;
+  }
+
+  void warn_of_trouble(const std::string& what) {
+    if (!troubles_.insert(what).second) return;
+    progress_.say("warning: " + what + ". Jobs go on, and this rouleau tries again every few seconds.");
+  }
+
   /// The campaign goes on by the passes that its jobs make.
   int hand_over() {
     progress_.say(counts_text(manager_.counts()) +
@@ -55,12 +95,14 @@ class Run {
   }
 
   void wait_for_next_pass() {
-    const auto next = std::chrono::steady_clock::now() + std::chrono::duration<double>(manager_.pass_interval_s());
+    const double seconds = std::max(manager_.pass_interval_s(), is_disturbed_ ? trouble_interval_s : 0);
+    const auto next = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
     do {
-      progress_.show(manager_);
+      if (!is_disturbed_) progress_.show(manager_);
       const int signal = signals_.wait(tick_ms);
       heed(signal);
       if (signal != 0) return;
+      if (is_disturbed_) continue;  // a request that could not be carried out is there still
       std::vector<std::string> told_by_the_pass;
       if (!requests_in(manager_.directory(), told_by_the_pass).empty()) return;
     } while (std::chrono::steady_clock::now() < next);
@@ -117,6 +159,8 @@ class Run {
   SignalWatch signals_;  // before the manager: no signal is lost while it opens the campaign
   Manager manager_;
   Mood mood_ = Mood::running;
+  bool is_disturbed_ = false;       ///< trouble has ended the pass before
+  std::set<std::string> troubles_;  ///< each is said once
   std::chrono::steady_clock::time_point last_ingest_ = std::chrono::steady_clock::now();
 };
 

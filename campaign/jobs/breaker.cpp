@@ -41,6 +41,7 @@ std::string Breaker::text() const {
 }
 
 void Breaker::note_failure(const std::string& point, const std::string& reason) {
+  if (has_tripped()) return;
   const std::string shape = without_numbers(reason);
   if (shape != shape_) points_.clear();
   shape_ = shape;
@@ -49,6 +50,10 @@ void Breaker::note_failure(const std::string& point, const std::string& reason) 
 }
 
 void Breaker::note_progress() {
+  if (!has_tripped()) reset();
+}
+
+void Breaker::reset() {
   points_.clear();
   shape_.clear();
 }

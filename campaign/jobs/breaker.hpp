@@ -7,7 +7,8 @@
 
 namespace rouleau::campaign {
 
-/// Counts different points in a row whose attempts ended without progress for the same reason.
+/// Counts different points in a row whose attempts ended without progress for the same reason. Once it has tripped it
+/// stays as it is, whatever becomes of the jobs that still run, until it is reset.
 class Breaker {
  public:
   /// Trips at `limit` points; 0 = never. `kept`: what `text` gave, so that passes of different processes count as one.
@@ -21,6 +22,8 @@ class Breaker {
   void note_failure(const std::string& point, const std::string& reason);
   /// An attempt of any point made progress.
   void note_progress();
+  /// The user has corrected the common cause.
+  void reset();
 
   [[nodiscard]] bool has_tripped() const { return limit_ > 0 && static_cast<int>(points_.size()) >= limit_; }
   [[nodiscard]] const std::string& reason() const { return reason_; }

@@ -44,14 +44,21 @@ std::string writer_of(const std::filesystem::path& file) {
   const char* name = connection == nullptr ? nullptr : sqlite3_db_filename(connection, "main");
   const int code = connection == nullptr ? SQLITE_NOMEM : sqlite3_extended_errcode(connection);
   std::string advice = "`rouleau verify` checks the campaign";
+  enum { of_statement, passing, lasting } kind = passing;
+  Exit exit = Exit::failed;
   switch (code & 0xff) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      advice = writer_of(name == nullptr ? "" : name) + " is writing; try again in a moment";
+      // Who writes has the campaign's lock itself: what it waits for is no rouleau.
+      advice = connection != nullptr && sqlite3_db_readonly(connection, "main") == 0
+                   ? "another program, such as a query in sqlite3 that has not come to its end, keeps it open; end that and try again"
+                   : writer_of(name == nullptr ? "" : name) + " is writing; try again in a moment";
       break;
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT:
       advice = "the file is damaged; `rouleau rebuild` makes it anew from the run directories";
+      kind = lasting;
+      exit = Exit::damaged;
       break;
     case SQLITE_FULL:
       advice = "the disk is full; make room and try again";
@@ -62,14 +69,24 @@ std::string writer_of(const std::filesystem::path& file) {
     case SQLITE_READONLY:
     case SQLITE_CANTOPEN:
     case SQLITE_PERM:
+      if (code == SQLITE_READONLY_DBMOVED) {
+        advice = "the file was moved, removed or replaced while it was open; give the same command again";
+        kind = lasting;
+        break;
+      }
       advice = "see that the file and its directory exist and are yours to write, and that the disk has room";
       break;
+    case SQLITE_NOMEM:
+      break;
     default:
+      kind = of_statement;
       break;
   }
   const char* message = connection == nullptr ? "out of memory" : sqlite3_errmsg(connection);
-  fail(Exit::failed, "{}: {}: {} (SQLite {}); {}", name == nullptr || *name == 0 ? "campaign.db" : name, doing, message,
-       code, advice);
+  const std::string text = fmt::format(
+      "{}: {}: {} (SQLite {}); {}", name == nullptr || *name == 0 ? "campaign.db" : name, doing, message, code, advice);
+  if (kind == of_statement) throw Error(exit, text);
+  throw DatabaseError(exit, text, kind == passing);
 }
 
 int open_flags(Access access) {

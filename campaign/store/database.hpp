@@ -12,10 +12,25 @@
 #include <variant>
 #include <vector>
 
+#include "study/error.hpp"
+
 struct sqlite3;
 struct sqlite3_stmt;
 
 namespace rouleau::campaign {
+
+/// The file as a whole could not be read or written, so the next statement meets the same. What is wrong with one
+/// statement or one row is a plain Error.
+class DatabaseError : public Error {
+ public:
+  DatabaseError(Exit code, const std::string& message, bool waiting_mends)
+      : Error(code, message), waiting_mends_(waiting_mends) {}
+  /// True: locked by others, no room, no rights, a failing medium; the same may work later. False: damaged, or gone.
+  [[nodiscard]] bool waiting_mends() const { return waiting_mends_; }
+
+ private:
+  bool waiting_mends_;
+};
 
 /// A value of a column: NULL, INTEGER, REAL or TEXT.
 using Value = std::variant<std::monostate, std::int64_t, double, std::string>;

@@ -11,7 +11,9 @@ namespace rouleau::campaign {
 namespace {
 
 using rouleau::testing::CampaignOutcome;
+using rouleau::testing::CampaignProgram;
 using rouleau::testing::content_of;
+using rouleau::testing::eventually;
 using rouleau::testing::figures;
 using rouleau::testing::RealCampaign;
 using rouleau::testing::set_content;
@@ -69,6 +71,47 @@ TEST_F(DamagedDatabase, LostIsRebuiltAsItWas) {
   expect_rebuilt("lost");
   const auto checked = program_.rouleau({"verify", "c"});
   EXPECT_EQ(checked.status, 0) << checked.out << checked.err;
+}
+
+// A point that is done, one whose job lives, and room for a second job.
+TEST(DamagedDatabaseUnderAJob, SyncWorksOrNamesRebuildAndStartsNothingTwice) {
+  const CampaignProgram program;
+  program.write_study("fluid.lambda = 1, 8", CampaignProgram::execution());
+  ASSERT_EQ(program.init().status, 0);
+  program.script(2, "hang 70\n-\n");
+  ASSERT_EQ(program.rouleau({"sync", "c"}).status, 0);
+  ASSERT_TRUE(eventually([&] { return program.jobs().size() == 1; }));
+  ASSERT_EQ(program.rouleau({"sync", "c"}).status, 0);
+  ASSERT_EQ(program.state(1), State::done);
+  const std::filesystem::path file = program.campaign() / "campaign.db", run = program.run_directory(2);
+  const std::string key = program.point(2).key, sound = content_of(file);
+
+  const int count = rouleau::testing::places(20, 400);
+  for (int i = 0; i < count; ++i) {
+    const std::size_t place = rouleau::testing::spread(i, sound.size());
+    SCOPED_TRACE(fmt::format("place {}, kind {}", place, i % 5));
+    std::filesystem::remove(file.string() + "-journal");
+    set_content(file, rouleau::testing::damaged(sound, place, i));
+    ++figures().damage_positions;
+    const auto answer = program.rouleau({"sync", "c"});
+    EXPECT_EQ(program.jobs().size(), 1U) << answer.err;
+    EXPECT_FALSE(std::filesystem::exists(run / "attempts" / "2")) << answer.err;
+    EXPECT_FALSE(std::filesystem::exists(run / "result.json")) << answer.err;
+    if (answer.status == 0) {
+      EXPECT_NE(program.store().point(key).value().state, State::done);
+    } else {
+      EXPECT_EQ(answer.status, static_cast<int>(Exit::damaged)) << answer.err;
+      EXPECT_THAT(answer.err, ::testing::HasSubstr("`rouleau rebuild`"));
+    }
+  }
+
+  const auto rebuilt = program.rouleau({"rebuild", "c"});
+  EXPECT_EQ(rebuilt.status, 0) << rebuilt.err;
+  ASSERT_EQ(program.jobs().size(), 1U);
+  ::kill(program.jobs().front(), SIGKILL);
+  const auto end = program.run();
+  EXPECT_EQ(end.status, 0) << end.err;
+  EXPECT_EQ(program.state(2), State::done);
 }
 
 }  // namespace

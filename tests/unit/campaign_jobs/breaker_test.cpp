@@ -44,8 +44,23 @@ TEST(CampaignBreaker, GoesOnFromWhatWasKept) {
   next.note_failure("c", "step 3: not finite");
   EXPECT_TRUE(next.has_tripped());
   EXPECT_TRUE(Breaker(3, next.text()).has_tripped());
-  next.note_progress();
+  next.reset();
   EXPECT_EQ(Breaker(3, next.text()).count(), 0);
+}
+
+// Jobs that were running meanwhile once lifted it, or changed what it said.
+TEST(CampaignBreaker, OnceTrippedOnlyAResetChangesIt) {
+  Breaker breaker(2);
+  breaker.note_failure("a", "crashed");
+  breaker.note_failure("b", "crashed");
+  const std::string tripped = breaker.text();
+  breaker.note_progress();
+  breaker.note_failure("c", "crashed");
+  breaker.note_failure("d", "disk full");
+  EXPECT_TRUE(breaker.has_tripped());
+  EXPECT_EQ(breaker.text(), tripped);
+  breaker.reset();
+  EXPECT_FALSE(breaker.has_tripped());
 }
 
 TEST(CampaignBreaker, ZeroTurnsItOff) {

@@ -32,7 +32,7 @@ TEST_F(VerbsTest, RebuildMakesTheDatabaseAndKeepsTheOldFile) {
   EXPECT_THAT(campaign_.made.err, HasSubstr("3 points, 2 attempts, 2002 samples"));
   const std::string before = on_campaign({"export"}).out;
   set_content(campaign_.path() / "campaign.db", "not a database any more");
-  EXPECT_EQ(on_campaign({"query"}).code, 1);
+  EXPECT_EQ(on_campaign({"query"}).code, 7);
   EXPECT_EQ(on_campaign({"rebuild"}).code, 0);
   EXPECT_EQ(on_campaign({"export"}).out, before);
   EXPECT_EQ(content_of(campaign_.path() / "campaign.db.before-rebuild"), "not a database any more");
