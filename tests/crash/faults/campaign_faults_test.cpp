@@ -28,9 +28,29 @@ std::vector<RecordedCall> recorded(const CampaignProgram& program, const std::ve
   return read_calls(faults.log());
 }
 
+/// `rouleau run` on a disk that stays full. It may wait for room as long as it takes, so it is killed when it has come
+/// up against the full disk some times.
+void run_on_a_full_disk(const CampaignProgram& program, const Faults& faults) {
+  constexpr std::int64_t some = 4;
+  const pid_t manager = program.start({"run", "c"});
+  bool has_ended = false;
+  EXPECT_TRUE(eventually([&] {
+    has_ended = ::waitpid(manager, nullptr, WNOHANG) == manager;
+    return has_ended || faults.injected() >= some;
+  }));
+  if (has_ended) return;
+  ::kill(manager, SIGKILL);
+  CampaignProgram::wait_for(manager);
+}
+
 /// Runs `rouleau WORDS` with the fault.
 void disturb(const CampaignProgram& program, const std::vector<std::string>& words, const Injection& injection) {
   const Faults faults(program.path(), manager_program, injection);
+  if (injection.lasts && words[0] == "run") {
+    run_on_a_full_disk(program, faults);
+    if (faults.injected() > 0) count(injection);
+    return;
+  }
   const auto end = program.rouleau(words);
   if (faults.injected() == 0) {
     EXPECT_EQ(end.status, 0) << end.err;
