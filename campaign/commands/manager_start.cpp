@@ -42,7 +42,7 @@ Cores Manager::free_cores_now() const {
   for (const LivingJob& job : living_) {
     if (job.is_seen && !job.job) occupants.push_back({cores_of(static_cast<pid_t>(job.process.pid)), job.ranks});
   }
-  return free_cores(allowed_, occupants);
+  return quiet_first(free_cores(allowed_, occupants), cores_of_solvers());
 }
 
 Capacity Manager::capacity(const Cores& free) const {

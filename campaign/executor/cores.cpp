@@ -7,6 +7,10 @@
 #include <sched.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <thread>
 
 namespace rouleau::campaign {
 
@@ -37,6 +41,28 @@ Cores free_cores(const Cores& allowed, const std::vector<Occupant>& occupants) {
   }
   free.resize(free.size() - std::min(free.size(), unpinned_ranks));
   return free;
+}
+
+Cores cores_of_solvers() {
+  const std::size_t all = std::max(1U, std::thread::hardware_concurrency());
+  Cores busy;
+  std::error_code unseen;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc", unseen)) {
+    const std::string name = entry.path().filename();
+    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    std::string program;
+    std::getline(std::ifstream(entry.path() / "comm"), program);
+    if (program != "rouleau-solver") continue;
+    const Cores cores = cores_of(std::atoi(name.c_str()));
+    if (cores.size() < all) busy.insert(busy.end(), cores.begin(), cores.end());
+  }
+  return busy;
+}
+
+Cores quiet_first(Cores cores, const Cores& busy) {
+  std::stable_partition(cores.begin(), cores.end(),
+                        [&](int core) { return std::find(busy.begin(), busy.end(), core) == busy.end(); });
+  return cores;
 }
 
 std::string to_text(const Cores& cores) { return fmt::format("{}", fmt::join(cores, ",")); }

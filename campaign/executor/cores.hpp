@@ -28,6 +28,13 @@ struct Occupant {
 /// ranks, from the end.
 [[nodiscard]] Cores free_cores(const Cores& allowed, const std::vector<Occupant>& occupants);
 
+/// The cores that solvers are pinned to, whichever campaign or user they belong to: as far as /proc shows them.
+[[nodiscard]] Cores cores_of_solvers();
+
+/// The same cores, those that nobody is pinned to first: campaigns that know nothing of each other shall not crowd on
+/// the lowest.
+[[nodiscard]] Cores quiet_first(Cores cores, const Cores& busy);
+
 /// "0,1,5"
 [[nodiscard]] std::string to_text(const Cores& cores);
 
