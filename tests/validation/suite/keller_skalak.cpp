@@ -2,7 +2,9 @@
 // A tank-treading capsule against the ellipsoid of Keller and Skalak: angle, frequency, and where tumbling begins.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -41,6 +43,17 @@ double phase(const CampaignPoint& point, std::size_t i) {
   const double x = point.series("marker_z_dx_um")[i], z = point.series("marker_z_dz_um")[i];
   const double D = point.series("taylor_deformation")[i], ratio = (1 - D) / (1 + D);
   return std::atan2((z * std::cos(angle) - x * std::sin(angle)) / ratio, x * std::cos(angle) + z * std::sin(angle));
+}
+
+/// Whether the long axis went past the vertical. A steady one lies between the flow and the axis of strain.
+bool tumbles(const CampaignPoint& point) {
+  const std::vector<double>& angle_deg = point.series("angle_xz_deg");
+  double turned_deg = 0;
+  for (std::size_t i = 1; i < angle_deg.size(); ++i) {
+    turned_deg += std::remainder(angle_deg[i] - angle_deg[i - 1], 180);
+    if (turned_deg < -90) return true;
+  }
+  return false;
 }
 
 TankTreading tank_treading_of(const CampaignPoint& point) {
@@ -106,16 +119,27 @@ void keller_skalak(Suite& suite) {
   check_recorded_measure(suite);
 
   std::map<double, std::map<double, TankTreading>> found;  // by lambda and nodes
+  double steady_up_to = 0, tumbling_from = std::numeric_limits<double>::infinity();
   for (const CampaignPoint& point : run_campaign(suite.places(), "keller_skalak")) {
+    const double lambda = CapsulePoint(point).lambda();
+    if (tumbles(point)) {
+      suite.figure(fmt::format("tumbles: lambda, dx = {:.3g} um", point.number("node_spacing_um")), lambda);
+      tumbling_from = std::min(tumbling_from, lambda);
+      continue;
+    }
+    steady_up_to = std::max(steady_up_to, lambda);
     const TankTreading t = tank_treading_of(point);
     found[t.lambda].emplace(t.nodes, t);
     suite.figure(fmt::format("angle, degrees, lambda {}, a1 = {:.3g} dx", t.lambda, t.nodes), t.angle_deg,
                  fmt::format("axes 1:{:.3g}:{:.3g}", t.semi_axes[1] / t.semi_axes[0], t.semi_axes[2] / t.semi_axes[0]));
     suite.figure(fmt::format("membrane rate / gamma, lambda {}, a1 = {:.3g} dx", t.lambda, t.nodes), t.rate);
   }
+  suite.check("smallest lambda that tumbles / largest that treads", tumbling_from / steady_up_to, between(1, 2),
+              "Keller, Skalak 1982: one transition", fmt::format("between {} and {}", steady_up_to, tumbling_from));
   std::map<double, double> squared_angle;  // at dx/a -> 0, by lambda
   double critical = 0;
   for (const auto& [lambda, by_nodes] : found) {
+    if (by_nodes.size() < 2) continue;  // nothing to extrapolate
     const TankTreading &coarse = by_nodes.begin()->second, &fine = by_nodes.rbegin()->second;
     const double angle_deg = without_kernel(coarse.nodes, coarse.angle_deg, fine.nodes, fine.angle_deg);
     const double rate = without_kernel(coarse.nodes, coarse.rate, fine.nodes, fine.rate);
