@@ -11,10 +11,13 @@ namespace rouleau {
 /// What trial runs of a red blood cell in the paper's channel (dx = 1/3 um, 2880 and 5120 triangles) say of a kernel
 /// with a scheme of advection, by the stiffness kappa_A dt^2 / (rho dx^3), which is kappa_A in lattice units.
 struct TrialRuns {
-  double held;              ///< the largest at which the cell was whole after 0.1 s; 0: none
-  double lost;              ///< the smallest at which it was lost within 15 ms, or already at rest
-  double least_area_ratio;  ///< the smallest C that held; below, triangles folded or it was not tried
+  double held;             ///< the largest at which the cell was whole after 0.1 s; 0: none
+  double lost;             ///< the smallest at which it was lost within 15 ms, or already at rest
+  double lost_area_ratio;  ///< the largest C at which the cell was always lost within 25 ms, at any step; 0: none
 };
+
+/// The C that held for 0.1 s with every kernel. Of less, some cells were lost later, or with some kernels.
+inline constexpr double held_area_ratio = 100;
 
 TrialRuns trial_runs(KernelWidth kernel, Advection advection);
 

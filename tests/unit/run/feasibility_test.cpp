@@ -108,6 +108,16 @@ TEST(SafeCombinations, ThatWereNotTriedOrLostLaterAreWarnedOf) {
   EXPECT_THAT(Read(at_step(3, "kernel = 2-point\nadvection = averaged")).warnings(), Contains(HasSubstr("may lose")));
 }
 
+TEST(SafeCombinations, OfASoftAreaAreRefusedWhereTheyWereAlwaysLost) {
+  const RunText wide{.membrane = "area_ratio = 10", .numerics = "kernel = 4-point"};
+  EXPECT_THAT(refusal(wide), AllOf(HasSubstr("membrane.area_ratio = 10 loses the cell with kernel = 4-point"),
+                                   HasSubstr("100 held"), HasSubstr("bounds.unsafe_combination = run")));
+  const RunText narrow{.membrane = "area_ratio = 10", .numerics = "kernel = 2-point\nadvection = averaged"};
+  EXPECT_THAT(Read(narrow).warnings(), Contains(HasSubstr("membrane.area_ratio = 10 may lose the cell")));
+  const RunText stiff{.membrane = "area_ratio = 100", .numerics = "kernel = 4-point"};
+  EXPECT_THAT(Read(stiff).warnings(), Not(Contains(HasSubstr("lose the cell"))));
+}
+
 TEST(SafeCombinations, ThatAreRefusedCanBeRunKnowingly) {
   RunText text = at_step(1, "kernel = 2-point");
   text.bounds = "unsafe_combination = run";
