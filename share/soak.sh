@@ -61,7 +61,7 @@ part() {
   write_figures
 }
 part 'random kills' build/tests/crash/campaign/campaign_crash_test
-for test in solver_faults_test campaign_faults_test fencing_test power_loss_test disk_full_test; do
+for test in solver_faults_test campaign_faults_test fencing_test power_loss_test disk_full_test readers_test; do
   part "$test" "build/tests/crash/faults/$test"
 done
 part 'damage to a run' build/tests/crash/damage/damage_solver_test
