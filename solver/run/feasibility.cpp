@@ -207,16 +207,13 @@ class Examination {
     if (p_.membrane.area_ratio > trials.lost_area_ratio) {
       warn("membrane.area_ratio",
            "may lose the cell: at C = 10 some trial runs with this kernel ended with folded or collapsed triangles, "
-           "after "
-           "5 to 160 ms (studies/safe-combinations). {} held",
+           "after 5 to 160 ms (studies/safe-combinations). {} held",
            held_area_ratio);
       return;
     }
     const std::string text = fmt::format(
-        "loses the cell with kernel = {}: up to {} all trial runs ended with folded or collapsed triangles within 25 "
-        "ms "
-        "(studies/safe-combinations). {} held; so did 10 for 0.05 s and more with kernel = 2-point and advection = "
-        "averaged",
+        "loses the cell with kernel = {}: up to {} all trial runs were lost within 50 ms (studies/safe-combinations). "
+        "{} held; so did 10 for 0.05 s and more with kernel = 2-point and advection = averaged",
         run_.value("numerics.kernel").value, trials.lost_area_ratio, held_area_ratio);
     if (p_.bounds.unsafe_combination == UnsafeCombination::refuse)
       refuse("membrane.area_ratio", "{}; or run it all the same with bounds.unsafe_combination = run", text);

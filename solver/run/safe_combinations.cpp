@@ -13,10 +13,10 @@ TrialRuns trial_runs(KernelWidth kernel, Advection advection) {
   const bool is_averaged = advection == Advection::averaged;
   switch (kernel) {
     case KernelWidth::two_point:
-      if (is_averaged) return {0.13, 0.51, 0};
+      if (is_averaged) return {0.13, 0.51, 1};
       return {0, alternation * 0.032, 0};
     case KernelWidth::three_point:
-      if (is_averaged) return {0.52, 2.05, 0};
+      if (is_averaged) return {0.52, 2.05, 1};
       return {0, alternation * 0.12, 0};
     case KernelWidth::four_point:
       break;

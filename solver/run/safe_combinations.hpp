@@ -13,7 +13,7 @@ namespace rouleau {
 struct TrialRuns {
   double held;             ///< the largest at which the cell was whole after 0.1 s; 0: none
   double lost;             ///< the smallest at which it was lost within 15 ms, or already at rest
-  double lost_area_ratio;  ///< the largest C at which the cell was always lost within 25 ms, at any step; 0: none
+  double lost_area_ratio;  ///< the largest C at which the cell was always lost within 50 ms, at any step; 0: none
 };
 
 /// The C that held for 0.1 s with every kernel. Of less, some cells were lost later, or with some kernels.
