@@ -51,7 +51,8 @@ std::string writer_of(const std::filesystem::path& file) {
     case SQLITE_LOCKED:
       // Who writes has the campaign's lock itself: what it waits for is no rouleau.
       advice = connection != nullptr && sqlite3_db_readonly(connection, "main") == 0
-                   ? "another program, such as a query in sqlite3 that has not come to its end, keeps it open; end that and try again"
+                   ? "another program, such as a query in sqlite3 that has not come to its end, keeps it open; end "
+                     "that and try again"
                    : writer_of(name == nullptr ? "" : name) + " is writing; try again in a moment";
       break;
     case SQLITE_NOTADB:

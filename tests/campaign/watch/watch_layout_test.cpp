@@ -6,8 +6,8 @@
 
 #include <regex>
 
-#include "report/fit_text.hpp"
 #include "facts.hpp"
+#include "report/fit_text.hpp"
 
 namespace rouleau::campaign {
 namespace {
