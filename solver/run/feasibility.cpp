@@ -212,7 +212,8 @@ class Examination {
       return;
     }
     const std::string text = fmt::format(
-        "loses the cell with kernel = {}: up to {} all trial runs were lost within 50 ms (studies/safe-combinations). "
+        "loses the cell with kernel = {}: at C = {} and below all trial runs were lost within 50 ms "
+        "(studies/safe-combinations). "
         "{} held; so did 10 for 0.05 s and more with kernel = 2-point and advection = averaged",
         run_.value("numerics.kernel").value, trials.lost_area_ratio, held_area_ratio);
     if (p_.bounds.unsafe_combination == UnsafeCombination::refuse)
