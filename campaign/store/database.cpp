@@ -55,6 +55,7 @@ std::string writer_of(const std::filesystem::path& file) {
                      "that and try again"
                    : writer_of(name == nullptr ? "" : name) + " is writing; try again in a moment";
       break;
+    case SQLITE_ERROR:  // our statements are always the same: a table or column that they miss was damaged
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT:
       advice = "the file is damaged; `rouleau rebuild` makes it anew from the run directories";

@@ -66,6 +66,20 @@ TEST_F(DamagedDatabase, AnywhereIsFoundOrHarmlessAndRebuiltAsItWas) {
   }
 }
 
+// The database keeps the text of its tables: with one changed byte a column has another name. Such damage once ended
+// with 1, as a statement that SQLite could not understand.
+TEST_F(DamagedDatabase, InTheDefinitionOfATableIsNamedAsDamage) {
+  std::string content = content_of(file());
+  const std::size_t place = content.find("resumed_from");
+  ASSERT_NE(place, std::string::npos);
+  content[place] = 'x';
+  set_content(file(), content);
+  const auto answer = program_.rouleau({"sync", "c"});
+  EXPECT_EQ(answer.status, static_cast<int>(Exit::damaged)) << answer.err;
+  EXPECT_THAT(answer.err, ::testing::HasSubstr("`rouleau rebuild`"));
+  expect_rebuilt("the name of a column");
+}
+
 TEST_F(DamagedDatabase, LostIsRebuiltAsItWas) {
   std::filesystem::remove(file());
   expect_rebuilt("lost");
