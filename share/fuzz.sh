@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds the readers with clang's sanitizers and feeds each with libFuzzer; ends with one line of JSON, and 1 on a find.
-#   share/fuzz.sh [RUNS] [FORMAT ...]   inputs of a fast format, default 2500000; a tenth for slower ones
+#   share/fuzz.sh [RUNS] [FORMAT ...]   inputs of a fast format, default 2500000; a hundredth for slower ones
 # Seeds: tests/fuzz/corpus. What is found stays in build/fuzz/found; mend it, then add the file to the corpus.
 more_packages=(clang-14 libclang-rt-14-dev)
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
@@ -27,8 +27,8 @@ for format in "${formats[@]}"; do
   case $format in
     off | stl | solver_log) ;;
     checkpoint) longest=16384 ;;
-    checkpoint_texts) longest=8192 wanted=$((runs / 50)) ;;  # through HDF5
-    *) wanted=$((runs / 10)) ;;
+    checkpoint_texts) longest=8192 wanted=$((runs / 500)) ;;  # through HDF5
+    *) wanted=$((runs / 100)) ;;
   esac
   grown=build/fuzz/corpus/$format
   log=build/fuzz/$format.log

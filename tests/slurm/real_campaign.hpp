@@ -11,6 +11,12 @@
 
 namespace rouleau::testing {
 
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr const char* end_time_s = "0.01";  // steps take six times as long
+#else
+inline constexpr const char* end_time_s = "0.05";
+#endif
+
 /// 8 s of one core a point: 40000 steps of a coarse cell, a checkpoint at each second.
 inline std::string small_study(const std::string& lambdas) {
   return "[study]\nname = small\n[sweep]\nfluid.lambda = " + lambdas +
@@ -18,7 +24,9 @@ inline std::string small_study(const std::string& lambdas) {
          "[flow]\nmean_velocity_mm_per_s = 1.5\ninitial = developed\n"
          "[cell]\nsubdivisions = 3\noffset_y_um = 0.5\n[membrane]\nbending_modulus_J = 1e-18\n"
          "[numerics]\nnode_spacing_um = 2/3\ntime_step_us = 1.25\ncorrection_interval = 50\n"
-         "[time]\nend_time_s = 0.05\n"
+         "[time]\nend_time_s = " +
+         end_time_s +
+         "\n"
          "[output]\nsample_interval_steps = 40\ncheckpoint_interval_min = 0.01\nprogress_interval_s = 0.5\n"
          "[analysis]\nwindow_s = 0.002\noscillation_window_s = 0.004\n" +
          CampaignProgram::execution();
