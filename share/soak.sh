@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Faults on purpose, the long form: kills, failing calls, damage, hostile input. Figures on stdout and in build/soak.json.
-#   share/soak.sh             all of it: some 14 000 faults and 10 000 losses of power, half a day to a day on two cores
+#   share/soak.sh             all of it: some 23 000 faults and 10 000 losses of power, half a day to a day on two cores
 #   FAULTS=60 share/soak.sh   60 places in each test of the faults, spread evenly over its calls (a number, no
 #                             percentage), every kind of fault at each of them: one to two hours
 # Ends with 1 if a test failed, hung (PART_LIMIT, 24h a part) or was skipped (small disks need root), or a figure is not

@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <thread>
 
@@ -40,6 +41,14 @@ std::string writer_of(const std::filesystem::path& file) {
   return holder.empty() ? "another process" : holder;
 }
 
+/// The errno of the last call on the database's file that failed, 0 if none has. Of a page that the medium does not
+/// give, SQLite says the same as of a damaged one.
+int last_errno(sqlite3* connection) {
+  int number = 0;
+  sqlite3_file_control(connection, "main", SQLITE_FCNTL_LAST_ERRNO, &number);
+  return number;
+}
+
 [[noreturn]] void fail_with(sqlite3* connection, std::string_view doing) {
   const char* name = connection == nullptr ? nullptr : sqlite3_db_filename(connection, "main");
   const int code = connection == nullptr ? SQLITE_NOMEM : sqlite3_extended_errcode(connection);
@@ -58,6 +67,13 @@ std::string writer_of(const std::filesystem::path& file) {
     case SQLITE_ERROR:  // our statements are always the same: a table or column that they miss was damaged
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT:
+      if (const int number = last_errno(connection); number != 0) {
+        advice = fmt::format(
+            "{} (errno {}): the disk does not give what is in it; try again when it does, and if it never "
+            "will, `rouleau rebuild` makes the database anew from the run directories",
+            std::strerror(number), number);
+        break;
+      }
       advice = "the file is damaged; `rouleau rebuild` makes it anew from the run directories";
       kind = lasting;
       exit = Exit::damaged;

@@ -43,8 +43,8 @@ class BusyRun : public SmallRun {
 inline constexpr const char* solver_program = "rouleau-solver";
 
 /// Runs it undisturbed.   returns its calls
-inline std::vector<RecordedCall> recorded(const BusyRun& run, int ranks) {
-  Faults faults(run.directory(), solver_program, {});
+inline std::vector<RecordedCall> recorded(const BusyRun& run, int ranks, Watch watch = Watch::changes) {
+  Faults faults(run.directory(), solver_program, {.watch = watch});
   faults.record();
   const Finished finished = run.run(ranks);
   EXPECT_EQ(finished.code, 0) << finished.err;

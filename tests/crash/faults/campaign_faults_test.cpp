@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every file-system call of `rouleau init`, `run` and the other commands that change a campaign, those of SQLite
-// included, fails or kills the manager, one after the other; the plain command again finishes the campaign as if
-// nothing had been.
+// Every file-system call of `rouleau init`, `run` and the other commands that change a campaign, those that only read
+// and those of SQLite included, fails or kills the manager, one after the other; the plain command again finishes the
+// campaign as if nothing had been.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -20,17 +20,18 @@ void write_small_study(const CampaignProgram& program) {
 }
 
 /// Runs `rouleau WORDS` undisturbed.   returns its calls
-std::vector<RecordedCall> recorded(const CampaignProgram& program, const std::vector<std::string>& words) {
-  Faults faults(program.path(), manager_program, {});
+std::vector<RecordedCall> recorded(const CampaignProgram& program, const std::vector<std::string>& words,
+                                   Watch watch = Watch::changes) {
+  Faults faults(program.path(), manager_program, {.watch = watch});
   faults.record();
   const auto end = program.rouleau(words);
   EXPECT_EQ(end.status, 0) << end.err;
   return read_calls(faults.log());
 }
 
-/// `rouleau run` on a disk that stays full. It may wait for room as long as it takes, so it is killed when it has come
-/// up against the full disk some times.
-void run_on_a_full_disk(const CampaignProgram& program, const Faults& faults) {
+/// `rouleau run` on a disk that stays full, or with a file that cannot be read. It may wait as long as that takes, so
+/// it is killed when it has come up against it some times.
+void run_on_a_bad_disk(const CampaignProgram& program, const Faults& faults) {
   constexpr std::int64_t some = 4;
   const pid_t manager = program.start({"run", "c"});
   bool has_ended = false;
@@ -47,7 +48,7 @@ void run_on_a_full_disk(const CampaignProgram& program, const Faults& faults) {
 void disturb(const CampaignProgram& program, const std::vector<std::string>& words, const Injection& injection) {
   const Faults faults(program.path(), manager_program, injection);
   if (injection.lasts && words[0] == "run") {
-    run_on_a_full_disk(program, faults);
+    run_on_a_bad_disk(program, faults);
     if (faults.injected() > 0) count(injection);
     return;
   }
@@ -88,45 +89,57 @@ void expect_undisturbed_end(const CampaignProgram& program, const CampaignOutcom
   EXPECT_EQ(check.status, 0) << check.out << check.err;
 }
 
-class CampaignFaults : public ::testing::Test {
- protected:
-  void SetUp() override {
-    write_small_study(undisturbed);
-    calls_of_init = recorded(undisturbed, {"init", "study.ini", "c"});
-    calls_of_run = recorded(undisturbed, {"run", "c"});
-    end = outcome_of(undisturbed);
+/// What an undisturbed campaign calls and comes to.
+struct Undisturbed {
+  explicit Undisturbed(Watch watch) {
+    const CampaignProgram program;
+    write_small_study(program);
+    calls_of_init = recorded(program, {"init", "study.ini", "c"}, watch);
+    calls_of_run = recorded(program, {"run", "c"}, watch);
+    end = outcome_of(program);
   }
-  CampaignProgram undisturbed;
   std::vector<RecordedCall> calls_of_init, calls_of_run;
   CampaignOutcome end;
 };
 
-TEST_F(CampaignFaults, InInitLeaveNoTrace) {
-  fmt::print("{} calls\n", calls_of_init.size());
-  for (const Injection& injection : planned_faults(calls_of_init, 14)) {
-    SCOPED_TRACE(fmt::format("{} at call {} of {}", name_of(injection), injection.at, calls_of_init.size()));
+std::string name_of(Watch watch) { return watch == Watch::reads ? "AtReads" : "AtChanges"; }
+
+class CampaignFaults : public ::testing::TestWithParam<Watch> {
+ protected:
+  const Undisturbed undisturbed{GetParam()};
+};
+
+TEST_P(CampaignFaults, InInitLeaveNoTrace) {
+  const std::vector<RecordedCall>& calls = undisturbed.calls_of_init;
+  fmt::print("{} calls\n", calls.size());
+  for (const Injection& injection : planned_faults(calls, 14, GetParam())) {
+    SCOPED_TRACE(fmt::format("{} at call {} of {}", name_of(injection), injection.at, calls.size()));
     const CampaignProgram program;
     write_small_study(program);
     disturb(program, {"init", "study.ini", "c"}, injection);
     const auto again = program.init();
     EXPECT_EQ(again.status, 0) << again.err;
-    expect_undisturbed_end(program, end);
+    expect_undisturbed_end(program, undisturbed.end);
     if (HasFailure() && !is_long_form()) return;
   }
 }
 
-TEST_F(CampaignFaults, InRunLeaveNoTrace) {
-  fmt::print("{} calls\n", calls_of_run.size());
-  for (const Injection& injection : planned_faults(calls_of_run, 28)) {
-    SCOPED_TRACE(fmt::format("{} at call {} of {}", name_of(injection), injection.at, calls_of_run.size()));
+TEST_P(CampaignFaults, InRunLeaveNoTrace) {
+  const std::vector<RecordedCall>& calls = undisturbed.calls_of_run;
+  fmt::print("{} calls\n", calls.size());
+  for (const Injection& injection : planned_faults(calls, 28, GetParam())) {
+    SCOPED_TRACE(fmt::format("{} at call {} of {}", name_of(injection), injection.at, calls.size()));
     const CampaignProgram program;
     write_small_study(program);
     ASSERT_EQ(program.init().status, 0);
     disturb(program, {"run", "c"}, injection);
-    expect_undisturbed_end(program, end);
+    expect_undisturbed_end(program, undisturbed.end);
     if (HasFailure() && !is_long_form()) return;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(, CampaignFaults, ::testing::Values(Watch::changes, Watch::reads),
+                         [](const auto& instance) { return name_of(instance.param); });
 
 /// A command of a campaign, and what comes before it.
 struct Command {
@@ -176,40 +189,44 @@ const std::vector<Command> commands = {
     {"Retry", retry_one, [](const CampaignProgram& program) { do_without_fault(program, cancel_one); }},
 };
 
-class CommandFaults : public CampaignFaults, public ::testing::WithParamInterface<Command> {
+class CommandFaults : public ::testing::TestWithParam<std::tuple<Command, Watch>> {
  protected:
-  static void make(const CampaignProgram& program) {
-    program.write_study(GetParam().sweep, CampaignProgram::execution());
+  void make(const CampaignProgram& program) const {
+    program.write_study(command.sweep, CampaignProgram::execution());
     do_without_fault(program, {"init", "study.ini", "c"});
-    GetParam().prepare(program);
+    command.prepare(program);
   }
+  const Command& command = std::get<0>(GetParam());
+  const Watch watch = std::get<1>(GetParam());
+  const Undisturbed undisturbed{watch};
 };
 
 TEST_P(CommandFaults, LeaveNoTraceWhenItIsGivenAgain) {
   const CampaignProgram recording;
   make(recording);
-  const std::vector<RecordedCall> calls = recorded(recording, GetParam().words);
+  const std::vector<RecordedCall> calls = recorded(recording, command.words, watch);
   fmt::print("{} calls\n", calls.size());
-  for (const Injection& injection : planned_faults(calls, 7)) {
+  for (const Injection& injection : planned_faults(calls, 7, watch)) {
     SCOPED_TRACE(fmt::format("{} at call {} of {}", name_of(injection), injection.at, calls.size()));
     const CampaignProgram program;
     make(program);
-    disturb(program, GetParam().words, injection);
+    disturb(program, command.words, injection);
     // A retry that has taken effect is not taken a second time.
-    const bool is_retried = GetParam().words == retry_one && program.state(2) != campaign::State::cancelled;
-    if (!is_retried) do_without_fault(program, GetParam().words);
-    if (GetParam().words == cancel_one) {
+    const bool is_retried = command.words == retry_one && program.state(2) != campaign::State::cancelled;
+    if (!is_retried) do_without_fault(program, command.words);
+    if (command.words == cancel_one) {
       EXPECT_EQ(program.state(2), campaign::State::cancelled);
       EXPECT_TRUE(eventually([&] { return program.jobs().empty(); })) << "it was not asked to stop";
       do_without_fault(program, retry_one);
     }
-    expect_undisturbed_end(program, end);
+    expect_undisturbed_end(program, undisturbed.end);
     if (HasFailure() && !is_long_form()) return;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, CommandFaults, ::testing::ValuesIn(commands),
-                         [](const auto& instance) { return std::string(instance.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    , CommandFaults, ::testing::Combine(::testing::ValuesIn(commands), ::testing::Values(Watch::changes, Watch::reads)),
+    [](const auto& instance) { return std::get<0>(instance.param).name + name_of(std::get<1>(instance.param)); });
 
 /// What the calls make of the disk as it was is what lies there now.
 void expect_every_change_seen(const CampaignProgram& program, const std::vector<std::string>& words) {

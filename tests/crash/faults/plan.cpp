@@ -9,12 +9,17 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <span>
 
 namespace rouleau::testing {
 
 namespace {
 
-constexpr std::array<Injection, 7> kinds = {{
+constexpr std::array<Injection, 2> kinds_of_reads = {{
+    {0, Fault::error, EIO, false, Watch::reads},
+    {0, Fault::error, EIO, true, Watch::reads},
+}};
+constexpr std::array<Injection, 7> kinds_of_changes = {{
     {0, Fault::error, EIO, false},
     {0, Fault::kill, 0, false},
     {0, Fault::error, ENOSPC, false},
@@ -51,7 +56,9 @@ std::vector<std::int64_t> planned_places(std::int64_t count, std::int64_t sample
   return places;
 }
 
-std::vector<Injection> planned_faults(const std::vector<RecordedCall>& calls, std::int64_t sample) {
+std::vector<Injection> planned_faults(const std::vector<RecordedCall>& calls, std::int64_t sample, Watch watch) {
+  const std::span<const Injection> kinds =
+      watch == Watch::reads ? std::span<const Injection>(kinds_of_reads) : std::span<const Injection>(kinds_of_changes);
   std::vector<Injection> faults;
   std::size_t turn = 0;
   for (const std::int64_t place : planned_places(static_cast<std::int64_t>(calls.size()), sample)) {

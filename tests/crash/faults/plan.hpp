@@ -17,8 +17,9 @@ namespace rouleau::testing {
 [[nodiscard]] bool is_long_form();
 
 /// Faults at the calls of an undisturbed run. Short form: about `sample` of them, spread evenly, the kinds in turn;
-/// what can only happen to a write comes at the next one.
-[[nodiscard]] std::vector<Injection> planned_faults(const std::vector<RecordedCall>& calls, std::int64_t sample);
+/// what can only happen to a write comes at the next one. Reads fail with EIO, once or for good.
+[[nodiscard]] std::vector<Injection> planned_faults(const std::vector<RecordedCall>& calls, std::int64_t sample,
+                                                    Watch watch = Watch::changes);
 
 /// About `sample` of the numbers 1 to `count`, spread evenly; all of them in the long form; or FAULTS of them.
 [[nodiscard]] std::vector<std::int64_t> planned_places(std::int64_t count, std::int64_t sample);

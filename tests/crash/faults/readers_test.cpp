@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `rouleau run` stopped at a call on its database, while others read it; and such a call that fails while nobody does.
+// `rouleau run` stopped at a call on its database, while others read it; such a call that fails while nobody does; and
+// reads that fail in commands that only read.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <signal.h>
 
 #include <chrono>
 #include <future>
+#include <iterator>
+#include <sstream>
 
 #include "crash/faults/plan.hpp"
 #include "support/campaign_outcome.hpp"
@@ -124,6 +127,41 @@ TEST_F(CallsOnTheDatabase, ThatFailEndNoManagerThatIsUnderWay) {
     if (HasFailure() && !is_long_form()) return;
   }
 }
+
+class Readers : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Readers, GiveTheWholeAnswerOrSayWhatTheyCannotRead) {
+  const SmallCampaign program;
+  ASSERT_EQ(program.run().status, 0);
+  const CampaignOutcome before = outcome_of(program);
+  std::istringstream text(GetParam());
+  const std::vector<std::string> words{std::istream_iterator<std::string>(text), {}};
+  const auto whole = program.rouleau(words);
+  EXPECT_EQ(whole.status, 0) << whole.err;
+  std::vector<RecordedCall> calls;
+  {
+    Faults faults(program.path(), manager_program, {.watch = Watch::reads});
+    faults.record();
+    EXPECT_EQ(program.rouleau(words).status, 0);
+    calls = read_calls(faults.log());
+  }
+  fmt::print("{} reads\n", calls.size());
+  for (const Injection& injection : planned_faults(calls, 12, Watch::reads)) {
+    const Faults faults(program.path(), manager_program, injection);
+    const auto answer = program.rouleau(words);
+    if (faults.injected() == 0) continue;
+    count(injection);
+    SCOPED_TRACE(fmt::format("{} at read {} of {}: {} {}", name_of(injection), injection.at, calls.size(),
+                             faults.struck().name, faults.struck().path));
+    EXPECT_TRUE(answer.status >= 0 && answer.status < 8) << answer.status << answer.err;
+    EXPECT_TRUE(answer.out == whole.out || !answer.err.empty()) << answer.out;
+    EXPECT_TRUE(answer.status == 0 || !answer.err.empty()) << answer.status;
+  }
+  EXPECT_TRUE(outcome_of(program) == before);
+}
+
+INSTANTIATE_TEST_SUITE_P(, Readers, ::testing::Values("status c", "query c", "why #1 -C c", "verify c", "plan c"),
+                         [](const auto& instance) { return instance.param.substr(0, instance.param.find(' ')); });
 
 }  // namespace
 }  // namespace rouleau::testing

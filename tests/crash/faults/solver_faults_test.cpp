@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every file-system call of the real solver fails or kills it, one after the other; started again, it ends as if
-// nothing had been.
+// Every file-system call of the real solver fails or kills it, one after the other, those of a continuation that only
+// read included; started again, it ends as if nothing had been.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -24,8 +24,9 @@ void expect_clear_message(const Injection& injection, const Finished& finished) 
 
 /// True if the run may come to its end over a failure of this call: it was synced before (close), or it belongs to the
 /// exit record, which comes last and which the exit code makes up for (share/contract.md section 6). All else ends with
-/// 74 (section 11).
+/// 74 (section 11). What cannot be read is asked for again (section 10).
 bool may_be_passed_over(const Faults& faults, const Injection& injection) {
+  if (injection.watch == Watch::reads) return true;
   const StruckCall call = faults.struck();
   if (call.name == "close" || std::filesystem::path(call.path).filename().string().starts_with("exit.json"))
     return true;
@@ -58,6 +59,18 @@ bool disturb(const BusyRun& run, int ranks, const Injection& injection) {
   return true;
 }
 
+/// What could not be read was not taken for something that is not there.
+void expect_no_new_start(const BusyRun& run) {
+  for (const auto& entry : std::filesystem::directory_iterator(run.path("attempts"))) {
+    const std::filesystem::path record = entry.path() / "exit.json";
+    if (entry.path().filename() == "1" || !std::filesystem::exists(record)) continue;
+    const auto end = nlohmann::json::parse(content_of(record));
+    if (end.at("code") == 0) {
+      EXPECT_NE(end.at("resumed_from"), "") << end;
+    }
+  }
+}
+
 /// Goes on without faults; expects the end of an undisturbed run, and that nothing on the disk was taken for damaged.
 void expect_undisturbed_end(const BusyRun& run, int ranks, const std::string& end) {
   run.finish(ranks);
@@ -69,16 +82,31 @@ void expect_undisturbed_end(const BusyRun& run, int ranks, const std::string& en
   EXPECT_EQ(found, end);
 }
 
-void expect_no_trace_of_faults(int ranks, int sample) {
+void copy(const BusyRun& from, const BusyRun& to) {
+  using Options = std::filesystem::copy_options;
+  std::filesystem::copy(from.directory(), to.directory(), Options::recursive | Options::overwrite_existing);
+}
+
+/// Of a whole run, or, of reads, the second half of one: most of them belong to the resume.
+void expect_no_trace_of_faults(int ranks, int sample, Watch watch = Watch::changes) {
+  BusyRun begun;
+  if (watch == Watch::reads) {
+    begun.set_steps(24);
+    begun.finish(ranks);
+    begun.set_steps(48);
+  }
   const BusyRun undisturbed;
-  const std::vector<RecordedCall> calls = recorded(undisturbed, ranks);
+  copy(begun, undisturbed);
+  const std::vector<RecordedCall> calls = recorded(undisturbed, ranks, watch);
   const std::string end = undisturbed.fingerprint();
   fmt::print("{} calls on {} ranks\n", calls.size(), ranks);
   int reached = 0;
-  for (const Injection& injection : planned_faults(calls, sample)) {
+  for (const Injection& injection : planned_faults(calls, sample, watch)) {
     SCOPED_TRACE(fmt::format("{} at call {} of {}", name_of(injection), injection.at, calls.size()));
     const BusyRun run;
+    copy(begun, run);
     if (disturb(run, ranks, injection)) ++reached;
+    if (watch == Watch::reads) expect_no_new_start(run);
     expect_undisturbed_end(run, ranks, end);
     if (::testing::Test::HasFailure() && !is_long_form()) return;
   }
@@ -127,6 +155,8 @@ TEST(SolverFaults, OfEachKindAreReported) {
 
 TEST(SolverFaults, AtAnyCallLeaveNoTraceOnOneRank) { expect_no_trace_of_faults(1, 14); }
 TEST(SolverFaults, AtAnyCallLeaveNoTraceOnTwoRanks) { expect_no_trace_of_faults(2, 4); }
+TEST(SolverFaults, AtAnyReadLeaveNoTraceOnOneRank) { expect_no_trace_of_faults(1, 14, Watch::reads); }
+TEST(SolverFaults, AtAnyReadLeaveNoTraceOnTwoRanks) { expect_no_trace_of_faults(2, 4, Watch::reads); }
 
 }  // namespace
 }  // namespace rouleau::testing

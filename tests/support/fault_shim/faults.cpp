@@ -23,6 +23,7 @@ Faults::Faults(const fs::path& directory, const std::string& program, const Inje
   if (memory == MAP_FAILED) std::abort();
   state_ = new (memory) FaultState{};
   state_->at = injection.at;
+  state_->watch = injection.watch;
   state_->fault = injection.fault;
   state_->error_number = injection.error_number;
   state_->lasts = injection.lasts ? 1 : 0;
@@ -51,8 +52,10 @@ std::string name_of(const Injection& injection) {
     case Fault::none:
       return "nothing";
     case Fault::error:
-      return std::string(::strerrorname_np(injection.error_number)) +
-             (injection.lasts ? ", and no room from there on" : "");
+      return std::string(::strerrorname_np(injection.error_number)) + (!injection.lasts ? ""
+                                                                       : injection.watch == Watch::reads
+                                                                           ? ", and at each later read of the file"
+                                                                           : ", and no room from there on");
     case Fault::brief:
       return "short write";
     case Fault::kill:

@@ -18,7 +18,8 @@ struct Injection {
   std::int64_t at = 0;  ///< from 1; 0: none
   Fault fault = Fault::none;
   int error_number = 0;
-  bool lasts = false;  ///< all later calls that need room on the disk fail too
+  bool lasts = false;  ///< all later calls that need room on the disk fail too; of reads, all later ones of that file
+  Watch watch = Watch::changes;
 };
 
 /// The call that a fault has come at.

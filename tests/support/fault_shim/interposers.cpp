@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functions of the C library by which programs change files, under their own names: a library loaded first takes
-// the place of the C library's, and calls it.
+// The functions of the C library by which programs change and read files, under their own names: a library loaded first
+// takes the place of the C library's, and calls it. (What the C library reads for itself, as by fread, is not seen.)
+#include <dirent.h>
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -23,6 +24,7 @@ using rouleau::testing::path_of;
 using rouleau::testing::record_call;
 using rouleau::testing::Treatment;
 using rouleau::testing::Turn;
+using rouleau::testing::Watch;
 using rouleau::testing::WatchedCall;
 
 namespace {
@@ -36,7 +38,7 @@ Function* original(const char* name) {
 /// Does a call that is no write, unless it is to fail.
 template <class Do>
 auto watched(const WatchedCall& call, const Do& work) -> decltype(work()) {
-  if (!is_watched(call.path)) return work();
+  if (!is_watched(call.path) && !(call.is_read && is_watched(call.path, Watch::reads))) return work();
   const Turn turn;
   if (const Treatment treatment = count_call(call); treatment.error_number != 0) {
     errno = treatment.error_number;
@@ -73,8 +75,29 @@ int open_watched(int directory, const char* name, int flags, mode_t mode) {
                          flags,
                          nullptr,
                          0,
-                         (flags & O_CREAT) != 0};
+                         (flags & O_CREAT) != 0,
+                         (flags & (O_ACCMODE | O_CREAT)) == O_RDONLY};
   return watched(call, [&] { return real(directory, name, flags, mode); });
+}
+
+/// Does a read, of bytes, of a name or of what is known of a file, unless it is to fail.
+template <class Do>
+auto watched_read(const char* name, const std::string& path, const Do& work) -> decltype(work()) {
+  if (!is_watched(path, Watch::reads)) return work();
+  WatchedCall call{name, path};
+  call.is_read = true;
+  return watched(call, work);
+}
+
+/// The same where a failure is a null pointer.
+template <class Pointer, class Do>
+Pointer watched_pointer(const char* name, const std::string& path, const Do& work) {
+  Pointer result = nullptr;
+  watched_read(name, path, [&] {
+    result = work();
+    return 0;
+  });
+  return result;
 }
 
 mode_t mode_of(int flags, va_list list) {
@@ -239,6 +262,46 @@ int mkdir(const char* path, mode_t mode) noexcept {
 int link(const char* from, const char* to) noexcept {
   static auto* const real = original<int(const char*, const char*)>("link");
   return watched({"link", absolute_path(AT_FDCWD, from), absolute_path(AT_FDCWD, to)}, [&] { return real(from, to); });
+}
+
+ssize_t read(int file, void* bytes, size_t count) {
+  static auto* const real = original<ssize_t(int, void*, size_t)>("read");
+  return watched_read("read", path_of(file), [&] { return real(file, bytes, count); });
+}
+ssize_t pread(int file, void* bytes, size_t count, off_t offset) {
+  static auto* const real = original<ssize_t(int, void*, size_t, off_t)>("pread");
+  return watched_read("read", path_of(file), [&] { return real(file, bytes, count, offset); });
+}
+ssize_t pread64(int file, void* bytes, size_t count, off64_t offset) { return pread(file, bytes, count, offset); }
+
+DIR* opendir(const char* path) {
+  static auto* const real = original<DIR*(const char*)>("opendir");
+  return watched_pointer<DIR*>("opendir", absolute_path(AT_FDCWD, path), [&] { return real(path); });
+}
+dirent* readdir(DIR* directory) {
+  static auto* const real = original<dirent*(DIR*)>("readdir");
+  return watched_pointer<dirent*>("readdir", path_of(::dirfd(directory)), [&] { return real(directory); });
+}
+dirent64* readdir64(DIR* directory) {
+  static auto* const real = original<dirent64*(DIR*)>("readdir64");
+  return watched_pointer<dirent64*>("readdir", path_of(::dirfd(directory)), [&] { return real(directory); });
+}
+
+int stat(const char* path, struct stat* found) noexcept {
+  static auto* const real = original<int(const char*, struct stat*)>("stat");
+  return watched_read("stat", absolute_path(AT_FDCWD, path), [&] { return real(path, found); });
+}
+int stat64(const char* path, struct stat64* found) noexcept {
+  static auto* const real = original<int(const char*, struct stat64*)>("stat64");
+  return watched_read("stat", absolute_path(AT_FDCWD, path), [&] { return real(path, found); });
+}
+int lstat(const char* path, struct stat* found) noexcept {
+  static auto* const real = original<int(const char*, struct stat*)>("lstat");
+  return watched_read("stat", absolute_path(AT_FDCWD, path), [&] { return real(path, found); });
+}
+int lstat64(const char* path, struct stat64* found) noexcept {
+  static auto* const real = original<int(const char*, struct stat64*)>("lstat64");
+  return watched_read("stat", absolute_path(AT_FDCWD, path), [&] { return real(path, found); });
 }
 
 }  // extern "C"

@@ -24,15 +24,19 @@ enum class Fault : std::int32_t {
   stop,   ///< the process is stopped (SIGSTOP) before the call
 };
 
+/// Which calls are watched: those that may change what is on the disk, or those that ask for what is there.
+enum class Watch : std::int32_t { changes, reads };
+
 /// Zero at the start; all processes of a run count together.
 struct FaultState {
   std::atomic<std::int64_t> calls;     ///< watched calls so far
   std::atomic<std::int64_t> injected;  ///< faults so far
   std::atomic<std::int64_t> victim;    ///< the process that had the newest
   std::int64_t at;                     ///< the call, from 1, that the fault comes at; 0: none
+  Watch watch;
   Fault fault;
   std::int32_t error_number;
-  std::int32_t lasts;                  ///< not 0: every later call that needs room on the disk fails too
+  std::int32_t lasts;                  ///< not 0: so do later calls (Injection)
   std::array<char, 32> name;           ///< of the call that the fault came at
   std::array<char, 1024> path, other;  ///< its file, and the new name of a rename
 };

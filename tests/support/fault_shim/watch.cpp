@@ -15,8 +15,6 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "shared_state.hpp"
-
 namespace rouleau::testing {
 namespace {
 
@@ -83,9 +81,9 @@ void note(const std::string& text, std::array<char, size>& place) {
 
 }  // namespace
 
-bool is_watched(const std::string& path) {
+bool is_watched(const std::string& path, Watch kind) {
   const std::string& directory = orders().directory();
-  return orders().state() != nullptr && path.starts_with(directory) &&
+  return orders().state() != nullptr && orders().state()->watch == kind && path.starts_with(directory) &&
          (path.size() == directory.size() || path[directory.size()] == '/');
 }
 
@@ -104,7 +102,8 @@ Treatment count_call(const WatchedCall& call) {
   FaultState& state = *orders().state();
   number = ++state.calls;
   const bool is_due = state.at > 0 && number == state.at;
-  const bool is_late = state.lasts != 0 && state.at > 0 && number > state.at && call.needs_room;
+  const bool is_late = state.lasts != 0 && state.at > 0 && number > state.at &&
+                       (state.watch == Watch::reads ? call.path == state.path.data() : call.needs_room);
   if (!is_due && !is_late) return {};
   const bool is_write = call.bytes != nullptr && call.count > 1;
   if (state.fault == Fault::none || (!is_write && (state.fault == Fault::brief || state.fault == Fault::torn)))

@@ -8,9 +8,11 @@
 #include <cstdint>
 #include <string>
 
+#include "shared_state.hpp"
+
 namespace rouleau::testing {
 
-/// One call that may change what is on the disk.
+/// One call that may change what is on the disk, or asks for it.
 struct WatchedCall {
   const char* name;
   std::string path;          ///< absolute
@@ -19,6 +21,7 @@ struct WatchedCall {
   const void* bytes = nullptr;
   std::size_t count = 0;  ///< of bytes, or reserved
   bool needs_room = false;
+  bool is_read = false;  ///< an open that changes nothing is both
 };
 
 /// What is to become of a call.
@@ -28,8 +31,8 @@ struct Treatment {
   bool is_fatal = false;   ///< die behind it
 };
 
-/// True if the absolute path lies below the watched directory.
-[[nodiscard]] bool is_watched(const std::string& path);
+/// True if the absolute path lies below the watched directory and such calls are watched there.
+[[nodiscard]] bool is_watched(const std::string& path, Watch kind = Watch::changes);
 /// The absolute path of a name in a directory (AT_FDCWD: the current one), or of an open file. Empty if there is none.
 [[nodiscard]] std::string absolute_path(int directory, const char* name);
 [[nodiscard]] std::string path_of(int file);
