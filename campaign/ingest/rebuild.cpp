@@ -110,31 +110,35 @@ class Replay {
   int retries_used_ = 0;
 };
 
-/// All points whose point.json can be read, by ordinal.
+/// All points whose point.json can be read, by ordinal.   throws Error if `points` cannot be listed, or is not there: a
+/// database without points is no index of them
 std::vector<Point> points_of(const std::filesystem::path& campaign_directory, std::vector<std::string>& warnings) {
+  const std::filesystem::path folder = campaign_directory / "points";
+  if (!std::filesystem::exists(folder))
+    fail(Exit::not_found,
+         "{}: there is no such folder, and nothing else to make the database from. See that its disk is mounted.",
+         folder.string());
   std::vector<Point> points;
-  std::error_code error;
-  for (std::filesystem::directory_iterator it(campaign_directory / "points", error), end; !error && it != end;
-       it.increment(error)) {
+  for (const auto& entry : entries_of(folder)) {
     std::error_code unseen;
-    if (!it->is_directory(unseen)) {
-      if (unseen) warnings.push_back(fmt::format("{}: cannot be seen: {}", it->path().string(), unseen.message()));
+    if (!entry.is_directory(unseen)) {
+      if (unseen) warnings.push_back(fmt::format("{}: cannot be seen: {}", entry.path().string(), unseen.message()));
       continue;
     }
     try {
-      Point point = read_point(it->path() / "point.json");
+      Point point = read_point(entry.path() / "point.json");
       // With folders that cannot be listed it would come back as a point that was never started.
-      static_cast<void>(attempt_numbers(it->path()));
-      static_cast<void>(checkpoint_steps(it->path()));
-      if (point.key != it->path().filename())
-        warnings.push_back(fmt::format("{}: its point.json is that of {}; left aside", it->path().string(), point.key));
+      static_cast<void>(attempt_numbers(entry.path()));
+      static_cast<void>(checkpoint_steps(entry.path()));
+      if (point.key != entry.path().filename())
+        warnings.push_back(
+            fmt::format("{}: its point.json is that of {}; left aside", entry.path().string(), point.key));
       else
         points.push_back(std::move(point));
     } catch (const Error& damage) {
       warnings.push_back(damage.what());
     }
   }
-  if (error) warnings.push_back(fmt::format("{}: {}", (campaign_directory / "points").string(), error.message()));
   std::sort(points.begin(), points.end(),
             [](const Point& a, const Point& b) { return std::pair(a.ordinal, a.key) < std::pair(b.ordinal, b.key); });
   return points;

@@ -84,18 +84,6 @@ std::optional<int> read_number(const std::filesystem::path& file, std::vector<st
   });
 }
 
-/// The entries of a folder, none if there is no such folder.   throws Error if that cannot be told
-std::vector<std::filesystem::directory_entry> entries_of(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::vector<std::filesystem::directory_entry> entries;
-  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
-    entries.push_back(*it);
-  if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory)
-    fail(Exit::failed, "{}: cannot be listed: {}. See that the disk is sound, has room and is yours to read.",
-         folder.string(), error.message());
-  return entries;
-}
-
 }  // namespace
 
 std::optional<ProcessFile> read_process_file(const std::filesystem::path& file, std::vector<std::string>& warnings) {
@@ -177,6 +165,17 @@ std::optional<int> read_start_file(const std::filesystem::path& file, std::vecto
 std::optional<std::string> read_first_line(const std::filesystem::path& file) {
   const std::optional<std::string> text = read_whole_file(file);
   return text ? std::optional(text->substr(0, text->find('\n'))) : std::nullopt;
+}
+
+std::vector<std::filesystem::directory_entry> entries_of(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::vector<std::filesystem::directory_entry> entries;
+  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    entries.push_back(*it);
+  if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory)
+    fail(Exit::failed, "{}: cannot be listed: {}. See that the disk is sound, has room and is yours to read.",
+         folder.string(), error.message());
+  return entries;
 }
 
 std::vector<int> attempt_numbers(const std::filesystem::path& run_directory) {

@@ -66,6 +66,9 @@ std::optional<int> read_start_file(const std::filesystem::path& file, std::vecto
 /// The first line of a text file (attempts/<k>/owner), or nothing when there is none.
 std::optional<std::string> read_first_line(const std::filesystem::path& file);
 
+/// The entries of a folder, none if there is no such folder.   throws Error if that cannot be told
+std::vector<std::filesystem::directory_entry> entries_of(const std::filesystem::path& folder);
+
 /// The numbers of the folders in attempts/, ascending; other names are left alone.
 std::vector<int> attempt_numbers(const std::filesystem::path& run_directory);
 

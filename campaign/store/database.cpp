@@ -49,9 +49,18 @@ int last_errno(sqlite3* connection) {
   return number;
 }
 
-[[noreturn]] void fail_with(sqlite3* connection, std::string_view doing) {
-  const char* name = connection == nullptr ? nullptr : sqlite3_db_filename(connection, "main");
+/// True if the path names another file by now. SQLite says so too when it only could not look.
+bool has_moved(sqlite3* connection) {
+  int moved = 1;
+  sqlite3_file_control(connection, "main", SQLITE_FCNTL_HAS_MOVED, &moved);
+  return moved != 0;
+}
+
+/// `unopened`: the file of a connection that could not be opened.
+[[noreturn]] void fail_with(sqlite3* connection, std::string_view doing, const std::filesystem::path& unopened = {}) {
+  const char* name = unopened.empty() ? sqlite3_db_filename(connection, "main") : unopened.c_str();
   const int code = connection == nullptr ? SQLITE_NOMEM : sqlite3_extended_errcode(connection);
+  std::string message = connection == nullptr ? "out of memory" : sqlite3_errmsg(connection);
   std::string advice = "`rouleau verify` checks the campaign";
   enum { of_statement, passing, lasting } kind = passing;
   Exit exit = Exit::failed;
@@ -62,16 +71,16 @@ int last_errno(sqlite3* connection) {
       advice = connection != nullptr && sqlite3_db_readonly(connection, "main") == 0
                    ? "another program, such as a query in sqlite3 that has not come to its end, keeps it open; end "
                      "that and try again"
-                   : writer_of(name == nullptr ? "" : name) + " is writing; try again in a moment";
+                   : writer_of(name) + " is writing; try again in a moment";
       break;
     case SQLITE_ERROR:  // our statements are always the same: a table or column that they miss was damaged
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT:
       if (const int number = last_errno(connection); number != 0) {
-        advice = fmt::format(
-            "{} (errno {}): the disk does not give what is in it; try again when it does, and if it never "
-            "will, `rouleau rebuild` makes the database anew from the run directories",
-            std::strerror(number), number);
+        message = std::strerror(number);
+        advice =
+            "the disk does not give what is in the file; try again when it does, and if it never will, `rouleau "
+            "rebuild` makes the file anew from the run directories";
         break;
       }
       advice = "the file is damaged; `rouleau rebuild` makes it anew from the run directories";
@@ -87,7 +96,7 @@ int last_errno(sqlite3* connection) {
     case SQLITE_READONLY:
     case SQLITE_CANTOPEN:
     case SQLITE_PERM:
-      if (code == SQLITE_READONLY_DBMOVED) {
+      if (code == SQLITE_READONLY_DBMOVED && has_moved(connection)) {
         advice = "the file was moved, removed or replaced while it was open; give the same command again";
         kind = lasting;
         break;
@@ -100,9 +109,7 @@ int last_errno(sqlite3* connection) {
       kind = of_statement;
       break;
   }
-  const char* message = connection == nullptr ? "out of memory" : sqlite3_errmsg(connection);
-  const std::string text = fmt::format(
-      "{}: {}: {} (SQLite {}); {}", name == nullptr || *name == 0 ? "campaign.db" : name, doing, message, code, advice);
+  const std::string text = fmt::format("{}: {}: {} (SQLite {}); {}", name, doing, message, code, advice);
   if (kind == of_statement) throw Error(exit, text);
   throw DatabaseError(exit, text, kind == passing);
 }
@@ -160,7 +167,7 @@ Database::Database(const std::filesystem::path& file, Access access, std::shared
   sqlite3* connection = nullptr;
   const int result = sqlite3_open_v2(file.c_str(), &connection, open_flags(access) | SQLITE_OPEN_EXRESCODE, nullptr);
   connection_.reset(connection);
-  if (result != SQLITE_OK) fail_with(connection, "opening");
+  if (result != SQLITE_OK) fail_with(connection, "opening", file);
   if (patience_)
     sqlite3_busy_handler(
         connection, [](void* of_reader, int) { return static_cast<Patience*>(of_reader)->wait() ? 1 : 0; },

@@ -182,6 +182,18 @@ TEST_F(RebuildTest, DamagedPointIsNamedAndTheOthersAreTakenIn) {
   EXPECT_THAT(report_.warnings, Contains(HasSubstr(bad)));
 }
 
+TEST_F(RebuildTest, WithoutItsPointsMakesNoEmptyDatabase) {
+  campaign_.add_point(1);
+  const std::filesystem::path points = campaign_.path() / "points", away = campaign_.path() / "away";
+  std::filesystem::rename(points, away);
+  EXPECT_THROW(rebuilt(), Error);
+  std::filesystem::create_symlink("points", points);  // looking at it fails, for root too
+  EXPECT_ANY_THROW(rebuilt());
+  std::filesystem::remove(points);
+  std::filesystem::rename(away, points);
+  EXPECT_EQ(rebuilt().points().size(), 1U);
+}
+
 TEST_F(RebuildTest, CopyOfAPointIsNotTakenForAnother) {
   const std::string key = campaign_.add_point(1).key;
   std::filesystem::copy(campaign_.run(key), campaign_.path() / "points" / "copy",
