@@ -24,9 +24,17 @@ double created_unix_s(const std::filesystem::path& database) {
   }
 }
 
-/// Keeps the old database as a copy and puts the new one in its place.
-void replace_database(const std::filesystem::path& made, const std::filesystem::path& database) {
-  const std::filesystem::path kept = database.string() + ".before-rebuild";
+/// A name that no earlier rebuild has used: what it kept may be the only place of samples whose log is lost.
+std::filesystem::path place_for_the_old(const std::filesystem::path& database) {
+  const std::string name = database.string() + ".before-rebuild";
+  if (!std::filesystem::exists(name)) return name;
+  for (int number = 2;; ++number)
+    if (const std::string next = fmt::format("{}-{}", name, number); !std::filesystem::exists(next)) return next;
+}
+
+/// Keeps the old database, if there is one, as the copy `kept` and puts the new one in its place.
+void replace_database(const std::filesystem::path& made, const std::filesystem::path& database,
+                      const std::filesystem::path& kept) {
   const std::filesystem::path journal = database.string() + "-journal";
   if (std::filesystem::exists(database)) {
     const std::filesystem::path copy = kept.string() + ".tmp";
@@ -34,7 +42,6 @@ void replace_database(const std::filesystem::path& made, const std::filesystem::
     put_in_place(copy, kept);
   }
   // Only a database that could not be opened still has its journal here: the pair is kept together.
-  std::filesystem::remove(kept.string() + "-journal");
   if (std::filesystem::exists(journal)) std::filesystem::rename(journal, kept.string() + "-journal");
   std::filesystem::rename(made, database);
   sync_directory(database.parent_path());
@@ -58,13 +65,14 @@ int rebuild(const CommandLine& line) {
     if (attempt.engine != local_engine) return Life::unknown;
     return life_of({attempt.host, attempt.boot_id, attempt.pid, attempt.start_ticks});
   });
-  replace_database(aside, database);
+  const std::filesystem::path kept = place_for_the_old(database);
+  replace_database(aside, database, kept);
 
   for (const std::string& warning : rebuilt.warnings) line.io.err << "warning: " << warning << '\n';
   if (!line.quiet)
-    line.io.err << fmt::format("{}: {} points, {} attempts, {} samples; the old file is {}\n", database.string(),
-                               rebuilt.points, rebuilt.attempts, rebuilt.samples,
-                               database.filename().string() + ".before-rebuild");
+    line.io.err << fmt::format("{}: {} points, {} attempts, {} samples{}\n", database.string(), rebuilt.points,
+                               rebuilt.attempts, rebuilt.samples,
+                               std::filesystem::exists(kept) ? "; the old file is " + kept.filename().string() : "");
   return static_cast<int>(rebuilt.warnings.empty() ? Exit::ok : Exit::damaged);
 }
 

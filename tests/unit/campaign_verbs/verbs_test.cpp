@@ -38,6 +38,18 @@ TEST_F(VerbsTest, RebuildMakesTheDatabaseAndKeepsTheOldFile) {
   EXPECT_EQ(content_of(campaign_.path() / "campaign.db.before-rebuild"), "not a database any more");
 }
 
+TEST_F(VerbsTest, RebuildAgainKeepsWhatTheFirstHasKept) {
+  const std::filesystem::path database = campaign_.path() / "campaign.db";
+  for (const char* old : {"first", "second", "third"}) {
+    set_content(database, old);
+    EXPECT_EQ(on_campaign({"rebuild"}).code, 0);
+  }
+  for (const auto& [name, old] : {std::pair("", "first"), std::pair("-2", "second"), std::pair("-3", "third")})
+    EXPECT_EQ(content_of(database.string() + ".before-rebuild" + name), old);
+  std::filesystem::remove(database);
+  EXPECT_THAT(on_campaign({"rebuild"}).err, ::testing::Not(HasSubstr("the old file")));
+}
+
 TEST_F(VerbsTest, RebuildNamesDamagedFilesAndEndsWith7) {
   set_content(campaign_.run("000000abc009") / "point.json", "{");
   const Answer answer = on_campaign({"rebuild"});
