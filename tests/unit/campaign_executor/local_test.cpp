@@ -2,7 +2,6 @@
 // Starting real processes.
 #include "executor/local.hpp"
 
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -11,6 +10,7 @@
 #include <fstream>
 
 #include "executor/attempt.hpp"
+#include "executor/lock.hpp"
 #include "ingest/run_files.hpp"
 #include "study/error.hpp"
 #include "support/campaign_program.hpp"
@@ -85,12 +85,15 @@ TEST_F(LocalJob, IsAsNiceAsAskedAndSoIsItsSession) {
 }
 
 TEST_F(LocalJob, InheritsNoOpenFileOfTheManager) {
-  const int ours = ::open("/etc/passwd", O_RDONLY | O_CLOEXEC);
+  const CampaignLock lock(run_, "run");  // a job that had it open would keep it when the manager is gone
   process_ = executor_.launch(order_);
+  int open_files = 0;
   for (const auto& entry : std::filesystem::directory_iterator("/proc/" + std::to_string(process_.pid) + "/fd")) {
-    EXPECT_NE(std::filesystem::read_symlink(entry.path()), "/etc/passwd");
+    std::error_code closed;  // by the job, meanwhile
+    EXPECT_NE(std::filesystem::read_symlink(entry.path(), closed), run_ / ".lock");
+    ++open_files;
   }
-  ::close(ours);
+  EXPECT_GE(open_files, 3);
 }
 
 TEST_F(LocalJob, RunsToItsEnd) {
