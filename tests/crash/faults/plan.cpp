@@ -15,8 +15,9 @@ namespace rouleau::testing {
 
 namespace {
 
-constexpr std::array<Injection, 2> kinds_of_reads = {{
+constexpr std::array<Injection, 3> kinds_of_reads = {{
     {0, Fault::error, EIO, false, Watch::reads},
+    {0, Fault::brief, 0, false, Watch::reads},
     {0, Fault::error, EIO, true, Watch::reads},
 }};
 constexpr std::array<Injection, 7> kinds_of_changes = {{
@@ -66,8 +67,10 @@ std::vector<Injection> planned_faults(const std::vector<RecordedCall>& calls, st
       if (!is_long_form() && &kind != &kinds[turn % kinds.size()]) continue;
       auto call = calls.begin() + (place - 1);
       if (kind.fault == Fault::brief || kind.fault == Fault::torn) {
-        const auto is_write = [](const RecordedCall& c) { return c.bytes.size() > 1; };
-        call = is_long_form() && !is_write(*call) ? calls.end() : std::find_if(call, calls.end(), is_write);
+        const auto is_transfer = [](const RecordedCall& c) {
+          return c.bytes.size() > 1 || (c.name == "read" && c.result > 1);
+        };
+        call = is_long_form() && !is_transfer(*call) ? calls.end() : std::find_if(call, calls.end(), is_transfer);
       }
       if (call == calls.end()) continue;
       faults.push_back(kind);

@@ -17,7 +17,7 @@ namespace rouleau::testing {
 [[nodiscard]] bool is_long_form();
 
 /// Faults at the calls of an undisturbed run. Short form: about `sample` of them, spread evenly, the kinds in turn;
-/// what can only happen to a write comes at the next one. Reads fail with EIO, once or for good.
+/// what can only happen to a write or read comes at the next one. Reads fail with EIO, once or for good, or are short.
 [[nodiscard]] std::vector<Injection> planned_faults(const std::vector<RecordedCall>& calls, std::int64_t sample,
                                                     Watch watch = Watch::changes);
 

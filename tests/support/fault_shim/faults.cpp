@@ -57,7 +57,7 @@ std::string name_of(const Injection& injection) {
                                                                            ? ", and at each later read of the file"
                                                                            : ", and no room from there on");
     case Fault::brief:
-      return "short write";
+      return injection.watch == Watch::reads ? "short read" : "short write";
     case Fault::kill:
       return "kill";
     case Fault::torn:

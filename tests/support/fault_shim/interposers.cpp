@@ -49,10 +49,10 @@ auto watched(const WatchedCall& call, const Do& work) -> decltype(work()) {
   return result;
 }
 
-/// Does a write of `call.count` bytes by `work(count)`, all of it, half, or none.
+/// Writes or reads `call.count` bytes by `work(count)`, all of them, half, or none.
 template <class Do>
-ssize_t watched_write(const WatchedCall& call, const Do& work) {
-  if (!is_watched(call.path)) return work(call.count);
+ssize_t watched_transfer(const WatchedCall& call, const Do& work) {
+  if (!is_watched(call.path, call.is_read ? Watch::reads : Watch::changes)) return work(call.count);
   const Turn turn;
   const Treatment treatment = count_call(call);
   if (treatment.error_number != 0) {
@@ -80,7 +80,7 @@ int open_watched(int directory, const char* name, int flags, mode_t mode) {
   return watched(call, [&] { return real(directory, name, flags, mode); });
 }
 
-/// Does a read, of bytes, of a name or of what is known of a file, unless it is to fail.
+/// Asks for a name or for what is known of a file, unless that is to fail.
 template <class Do>
 auto watched_read(const char* name, const std::string& path, const Do& work) -> decltype(work()) {
   if (!is_watched(path, Watch::reads)) return work();
@@ -111,8 +111,8 @@ off_t position_of(int file) {
 
 ssize_t pwrite_watched(int file, const void* bytes, std::size_t count, off_t offset) {
   static auto* const real = original<ssize_t(int, const void*, size_t, off_t)>("pwrite");
-  return watched_write({"pwrite", path_of(file), {}, offset, bytes, count, true},
-                       [&](std::size_t some) { return real(file, bytes, some, offset); });
+  return watched_transfer({"pwrite", path_of(file), {}, offset, bytes, count, true},
+                          [&](std::size_t some) { return real(file, bytes, some, offset); });
 }
 
 int truncate_watched(int file, off_t length) {
@@ -167,8 +167,8 @@ ssize_t write(int file, const void* bytes, size_t count) {
   static auto* const real = original<ssize_t(int, const void*, size_t)>("write");
   const std::string path = path_of(file);
   if (!is_watched(path)) return real(file, bytes, count);
-  return watched_write({"write", path, {}, position_of(file), bytes, count, true},
-                       [&](std::size_t some) { return real(file, bytes, some); });
+  return watched_transfer({"write", path, {}, position_of(file), bytes, count, true},
+                          [&](std::size_t some) { return real(file, bytes, some); });
 }
 
 /// As single writes: nobody may rely on a writev that does everything.
@@ -266,11 +266,13 @@ int link(const char* from, const char* to) noexcept {
 
 ssize_t read(int file, void* bytes, size_t count) {
   static auto* const real = original<ssize_t(int, void*, size_t)>("read");
-  return watched_read("read", path_of(file), [&] { return real(file, bytes, count); });
+  return watched_transfer({"read", path_of(file), {}, -1, bytes, count, false, true},
+                          [&](std::size_t some) { return real(file, bytes, some); });
 }
 ssize_t pread(int file, void* bytes, size_t count, off_t offset) {
   static auto* const real = original<ssize_t(int, void*, size_t, off_t)>("pread");
-  return watched_read("read", path_of(file), [&] { return real(file, bytes, count, offset); });
+  return watched_transfer({"read", path_of(file), {}, offset, bytes, count, false, true},
+                          [&](std::size_t some) { return real(file, bytes, some, offset); });
 }
 ssize_t pread64(int file, void* bytes, size_t count, off64_t offset) { return pread(file, bytes, count, offset); }
 

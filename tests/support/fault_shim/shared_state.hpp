@@ -18,7 +18,7 @@ inline constexpr const char* fault_log_variable = "FAULT_LOG";  ///< where the c
 enum class Fault : std::int32_t {
   none,
   error,  ///< it fails with `error_number` and does nothing
-  brief,  ///< a write does half of its work and says so; other calls go well
+  brief,  ///< a write or read does half of its work and says so; other calls go well
   kill,   ///< the process is killed before the call
   torn,   ///< a write does half of its work, then the process is killed; other calls: nothing happens
   stop,   ///< the process is stopped (SIGSTOP) before the call

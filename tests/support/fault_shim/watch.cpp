@@ -105,8 +105,8 @@ Treatment count_call(const WatchedCall& call) {
   const bool is_late = state.lasts != 0 && state.at > 0 && number > state.at &&
                        (state.watch == Watch::reads ? call.path == state.path.data() : call.needs_room);
   if (!is_due && !is_late) return {};
-  const bool is_write = call.bytes != nullptr && call.count > 1;
-  if (state.fault == Fault::none || (!is_write && (state.fault == Fault::brief || state.fault == Fault::torn)))
+  const bool is_transfer = call.bytes != nullptr && call.count > 1;
+  if (state.fault == Fault::none || (!is_transfer && (state.fault == Fault::brief || state.fault == Fault::torn)))
     return {};
   if (is_due) {
     note(call.name, state.name);
@@ -137,7 +137,8 @@ Treatment count_call(const WatchedCall& call) {
 void record_call(const WatchedCall& call, std::int64_t result) {
   const int file = log_file();
   if (file < 0) return;
-  const std::size_t done = call.bytes != nullptr && result > 0 ? static_cast<std::size_t>(result) : 0;
+  const bool has_written = call.bytes != nullptr && !call.is_read && result > 0;
+  const std::size_t done = has_written ? static_cast<std::size_t>(result) : 0;
   const std::string head = std::to_string(number) + '\t' + std::to_string(::getpid()) + '\t' + call.name + '\t' +
                            std::to_string(call.offset) + '\t' + std::to_string(call.count) + '\t' +
                            std::to_string(result) + '\t' + call.path + '\t' + call.other + '\t' + std::to_string(done) +

@@ -27,7 +27,7 @@ struct WatchedCall {
 /// What is to become of a call.
 struct Treatment {
   int error_number = 0;    ///< not 0: fail so
-  bool is_halved = false;  ///< of a write
+  bool is_halved = false;  ///< of a write or read
   bool is_fatal = false;   ///< die behind it
 };
 
