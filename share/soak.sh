@@ -3,7 +3,7 @@
 # Faults on purpose, the long form: kills, failing calls, damage, hostile input. Figures on stdout and in build/soak.json.
 #   share/soak.sh             all of it: some 23 000 faults and 10 000 losses of power, half a day to a day on two cores
 #   FAULTS=60 share/soak.sh   60 places in each test of the faults, spread evenly over its calls (a number, no
-#                             percentage), every kind of fault at each of them: one to two hours
+#                             percentage), every kind of fault at each of them: about two hours
 # Ends with 1 if a test failed, hung (PART_LIMIT, 24h a part) or was skipped (small disks need root), or a figure is not
 # what it must be. Called again after an interruption or a failure, it leaves out the parts that have passed, as long as
 # the commit is the same and nothing in the tree has changed. Each part prints a line of figures, {"kills": 160, ...};
