@@ -168,6 +168,13 @@ Database::Database(const std::filesystem::path& file, Access access, std::shared
   const int result = sqlite3_open_v2(file.c_str(), &connection, open_flags(access) | SQLITE_OPEN_EXRESCODE, nullptr);
   connection_.reset(connection);
   if (result != SQLITE_OK) fail_with(connection, "opening", file);
+  // SQLite opens a file that it cannot open for writing for reading, without a word and for good.
+  if (access != Access::read_only && sqlite3_db_readonly(connection, "main") == 1)
+    throw DatabaseError(Exit::failed,
+                        fmt::format("{}: cannot be opened for writing; see that the file and its directory are yours "
+                                    "to write, and that the disk is sound and has room",
+                                    file.string()),
+                        true);
   if (patience_)
     sqlite3_busy_handler(
         connection, [](void* of_reader, int) { return static_cast<Patience*>(of_reader)->wait() ? 1 : 0; },

@@ -2,6 +2,7 @@
 // Every file-system call of `rouleau init`, `run` and the other commands that change a campaign, those that only read
 // and those of SQLite included, fails or kills the manager, one after the other; the plain command again finishes the
 // campaign as if nothing had been.
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -141,6 +142,37 @@ TEST_P(CampaignFaults, InRunLeaveNoTrace) {
 INSTANTIATE_TEST_SUITE_P(, CampaignFaults, ::testing::Values(Watch::changes, Watch::reads),
                          [](const auto& instance) { return name_of(instance.param); });
 
+void do_without_fault(const CampaignProgram& program, const std::vector<std::string>& words) {
+  const auto end = program.rouleau(words);
+  EXPECT_EQ(end.status, 0) << end.err;
+}
+
+// SQLite then opened it for reading only, and the manager tried for ever to write what it could not.
+TEST(OpeningOfTheDatabase, ThatFailsEndsTheRunAndSaysSo) {
+  const Undisturbed undisturbed{Watch::changes};
+  int opened = 0;
+  for (const RecordedCall& call : undisturbed.calls_of_run) {
+    if (call.name != "open" || !call.path.ends_with("/campaign.db") || (call.offset & O_ACCMODE) != O_RDWR) continue;
+    SCOPED_TRACE(fmt::format("call {}", call.number));
+    ++opened;
+    const CampaignProgram program;
+    write_small_study(program);
+    do_without_fault(program, {"init", "study.ini", "c"});
+    {
+      const Faults faults(program.path(), manager_program, {call.number, Fault::error, EIO});
+      campaign::CaptureSettings settings;
+      settings.directory = program.path();
+      settings.time_out_s = 60;
+      const auto end = campaign::run_and_capture({ROULEAU_PROGRAM, "run", "c"}, settings);
+      EXPECT_FALSE(end.timed_out);
+      EXPECT_EQ(end.status, 1);
+      EXPECT_THAT(end.err, ::testing::HasSubstr("campaign.db: cannot be opened for writing"));
+    }
+    expect_undisturbed_end(program, undisturbed.end);
+  }
+  EXPECT_GT(opened, 0);
+}
+
 /// A command of a campaign, and what comes before it.
 struct Command {
   const char* name;
@@ -149,10 +181,6 @@ struct Command {
   const char* sweep = "fluid.lambda = 1, 8";  ///< of the campaign as it was made
 };
 
-void do_without_fault(const CampaignProgram& program, const std::vector<std::string>& words) {
-  const auto end = program.rouleau(words);
-  EXPECT_EQ(end.status, 0) << end.err;
-}
 /// Point 2 computes, and stays at a step behind its first checkpoint until it is asked to stop.
 void run_until_the_second_hangs(const CampaignProgram& program) {
   program.script(2, "hang 60\n");
