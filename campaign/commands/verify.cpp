@@ -22,6 +22,15 @@ void describe(po::options_description& options) {
                         "also let `rouleau-solver verify` read every checkpoint (as slow as the disk)");
 }
 
+/// What the solver's verify says of the first damaged part, or, if it could not look, why.
+std::string problem_in(const Capture& capture) {
+  constexpr std::string_view mark = "DAMAGED: ";
+  const std::size_t at = capture.out.find(mark);
+  const std::string text = at == std::string::npos ? capture.err : capture.out.substr(at + mark.size());
+  const std::string words = text.substr(0, text.find('\n'));
+  return words.empty() ? fmt::format("the solver's verify ended with {}", capture.status) : words;
+}
+
 /// Asks the solver, the only one who knows the format, about each checkpoint of a point.
 std::vector<Finding> verify_checkpoints(const std::filesystem::path& solver, const std::filesystem::path& campaign,
                                         const std::string& key) {
@@ -32,9 +41,8 @@ std::vector<Finding> verify_checkpoints(const std::filesystem::path& solver, con
     const Capture capture = run_and_capture({solver.string(), "verify", file.string()});
     std::error_code unseen;
     if (capture.status == 0 || !std::filesystem::exists(file, unseen)) continue;  // a running job removes old ones
-    const std::string words = capture.err.substr(0, capture.err.find('\n'));
     findings.push_back({key, file.lexically_relative(campaign).string(), true,
-                        words.empty() ? fmt::format("the solver's verify ended with {}", capture.status) : words});
+                        problem_in(capture) + "; a continuation passes it over for the one before"});
   }
   return findings;
 }

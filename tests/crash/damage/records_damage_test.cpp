@@ -130,5 +130,20 @@ TEST_F(DamagedRunFile, IsNotRunAndInitWritesItAnew) {
   EXPECT_EQ(program_.state(2), State::done);
 }
 
+TEST(DamagedCheckpointOfACampaign, IsNamedWithWhatIsWrongWithIt) {
+  const RealCampaign program;
+  program.finish();
+  const std::filesystem::path folder = program.run_directory(2) / "checkpoints";
+  const std::filesystem::path file = std::filesystem::directory_iterator(folder)->path();
+  const std::string sound = content_of(file);
+  EXPECT_EQ(program.rouleau({"verify", "c", "--checkpoints"}).status, 0);
+  set_content(file, sound.substr(0, sound.size() / 2));
+  ++figures().damage_positions;
+  const auto verified = program.rouleau({"verify", "c", "--checkpoints"});
+  EXPECT_EQ(verified.status, 7);
+  EXPECT_THAT(verified.out, HasSubstr(file.filename().string() + ": damaged: its "));
+  EXPECT_THAT(verified.out, HasSubstr("a continuation passes it over for the one before"));
+}
+
 }  // namespace
 }  // namespace rouleau::campaign
