@@ -114,7 +114,7 @@ class Replay {
 /// database without points is no index of them
 std::vector<Point> points_of(const std::filesystem::path& campaign_directory, std::vector<std::string>& warnings) {
   const std::filesystem::path folder = campaign_directory / "points";
-  if (!std::filesystem::exists(folder))
+  if (!std::filesystem::is_directory(folder))
     fail(Exit::not_found,
          "{}: there is no such folder, and nothing else to make the database from. See that its disk is mounted.",
          folder.string());

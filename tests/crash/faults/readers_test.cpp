@@ -128,6 +128,39 @@ TEST_F(CallsOnTheDatabase, ThatFailEndNoManagerThatIsUnderWay) {
   }
 }
 
+// SQLite reports a page that the disk did not give as damage, and a look at the file that failed as its removal.
+TEST(ReadsOfTheDatabase, ThatFailOnceEndNoManagerThatIsUnderWay) {
+  std::vector<RecordedCall> calls;
+  const SmallCampaign undisturbed;
+  {
+    Faults faults(undisturbed.path(), manager_program, {.watch = Watch::reads});
+    faults.record();
+    EXPECT_EQ(undisturbed.run().status, 0);
+    bool is_under_way = false;  // since the first attempt was claimed: what comes before belongs to the opening
+    for (const RecordedCall& call : read_calls(faults.log())) {
+      is_under_way = is_under_way || call.path.find("/attempts/1") != std::string::npos;
+      if (is_under_way && call.path.ends_with("/campaign.db")) calls.push_back(call);
+    }
+  }
+  const CampaignOutcome expected = outcome_of(undisturbed);
+  fmt::print("{} reads\n", calls.size());
+  ASSERT_FALSE(calls.empty());
+  for (const std::int64_t place : planned_places(static_cast<std::int64_t>(calls.size()), 10)) {
+    const RecordedCall& call = calls[static_cast<std::size_t>(place - 1)];
+    const Injection injection{call.number, Fault::error, EIO, false, Watch::reads};
+    SCOPED_TRACE(fmt::format("{} of campaign.db at read {}", call.name, call.number));
+    const SmallCampaign program;
+    {
+      const Faults faults(program.path(), manager_program, injection);
+      const auto end = program.run();
+      EXPECT_EQ(end.status, 0) << end.err;
+      if (faults.injected() != 0) count(injection);
+    }
+    EXPECT_TRUE(outcome_of(program) == expected);
+    if (HasFailure() && !is_long_form()) return;
+  }
+}
+
 class Readers : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Readers, GiveTheWholeAnswerOrSayWhatTheyCannotRead) {

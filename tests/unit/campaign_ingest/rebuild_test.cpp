@@ -187,6 +187,9 @@ TEST_F(RebuildTest, WithoutItsPointsMakesNoEmptyDatabase) {
   const std::filesystem::path points = campaign_.path() / "points", away = campaign_.path() / "away";
   std::filesystem::rename(points, away);
   EXPECT_THROW(rebuilt(), Error);
+  set_content(points, "not a folder");
+  EXPECT_THROW(rebuilt(), Error);
+  std::filesystem::remove(points);
   std::filesystem::create_symlink("points", points);  // looking at it fails, for root too
   EXPECT_ANY_THROW(rebuilt());
   std::filesystem::remove(points);
