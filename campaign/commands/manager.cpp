@@ -107,17 +107,19 @@ void Manager::reconcile(bool all) {
   std::vector<LivingJob> before;
   before.swap(living_);
   try {
-    look_at_points(all);
+    look_at_points(all, before);
   } catch (const DatabaseError&) {
     // Of the points that were not come to, no more is known than before; that is what a stop is sent to.
-    for (LivingJob& job : before) {
-      if (living_job(job.key) == nullptr) living_.push_back(std::move(job));
-    }
+    for (const LivingJob& job : before) keep_alive(job);
     throw;
   }
 }
 
-void Manager::look_at_points(bool all) {
+void Manager::keep_alive(const LivingJob& job) {
+  if (living_job(job.key) == nullptr) living_.push_back(job);
+}
+
+void Manager::look_at_points(bool all, const std::vector<LivingJob>& before) {
   std::set<std::string> open;
   for (const AttemptRow& attempt : store_.open_attempts()) open.insert(attempt.point);
   for (const PointRow& point : store_.points()) {
@@ -134,6 +136,9 @@ void Manager::look_at_points(bool all) {
       throw;
     } catch (const std::exception& error) {
       warn_of({name_of(point) + ": " + error.what()});
+      // A job that could not be looked at lives as it did, or the manager might take its last one for ended and leave.
+      for (const LivingJob& job : before)
+        if (job.key == point.key) keep_alive(job);
     }
   }
 }

@@ -105,7 +105,8 @@ class Manager {
   void cancel_orphans();
   [[nodiscard]] LifeOf life_of_attempt(const AttemptRow* row) const;
   [[nodiscard]] Gathered gather_of(const PointRow& point, const AttemptRow* newest) const;
-  void look_at_points(bool all);
+  void look_at_points(bool all, const std::vector<LivingJob>& before);
+  void keep_alive(const LivingJob& job);
   void settle(const PointRow& point);
   void leave_queue(const AttemptRow& attempt, const Gathered& gathered);
   void follow_job(const PointRow& point, AttemptRow* newest, const Gathered& gathered);
