@@ -121,5 +121,28 @@ TEST(UnseenRun, IsNamedAndLeftAloneUntilItIsSeenAgain) {
   EXPECT_EQ(end.status, 0) << end.err;
 }
 
+// The job was taken for ended: `run` said "1 running" and left with 0.
+TEST(UnseenRun, OfTheLastJobEndsNoManager) {
+  const CampaignProgram program;
+  program.write_study("fluid.lambda = 1", CampaignProgram::execution());
+  ASSERT_EQ(program.init().status, 0);
+  program.script(1, "hang 60\n");
+  const pid_t manager = program.start({"run", "c"});
+  const fs::path run = program.run_directory(1), attempts = run / "attempts", away = run / "away";
+  EXPECT_TRUE(eventually([&] { return fs::exists(run / "checkpoints/000000000050.h5"); }));
+  fs::rename(attempts, away);
+  make_a_loop_of(attempts);
+  ++rouleau::testing::figures().damage_positions;
+  EXPECT_TRUE(eventually([&] { return program.messages().find("cannot be listed") != std::string::npos; }));
+  std::this_thread::sleep_for(std::chrono::seconds(2));  // a few passes more
+  int status = 0;
+  EXPECT_EQ(::waitpid(manager, &status, WNOHANG), 0) << program.messages();
+  fs::remove(attempts);
+  fs::rename(away, attempts);
+  for (const pid_t job : program.jobs()) ::kill(job, SIGKILL);
+  EXPECT_EQ(CampaignProgram::wait_for(manager), 0) << program.messages();
+  EXPECT_EQ(program.state(1), State::done);
+}
+
 }  // namespace
 }  // namespace rouleau::campaign
