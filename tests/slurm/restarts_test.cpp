@@ -135,7 +135,7 @@ TEST(Requeue, WhoseScriptHasNotClaimedYetIsNotSubmittedTwice) {
 TEST(Requeue, WhoseScriptHasOnlyMadeItsNextFolderIsNotSubmittedTwice) {
   // The script makes the folder first and names its job in it afterwards: a pass may look in between.
   const FakeCampaign campaign;
-  campaign.script(1, "hang 60\n");
+  campaign.script(1, "hang 50\n");  // with no step after the checkpoint: it would meet the folder and end with 76
   ASSERT_TRUE(campaign.start_and_reach(50));
   const std::filesystem::path claimed = campaign.program.run_directory(1) / "attempts/2";
   ASSERT_TRUE(std::filesystem::create_directory(claimed));
