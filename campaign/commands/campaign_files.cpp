@@ -2,6 +2,7 @@
 // From a merged study to files and rows.
 #include "commands/campaign_files.hpp"
 
+#include "commands/new_database.hpp"
 #include "commands/version.hpp"
 #include "ingest/ingest.hpp"
 #include "store/store.hpp"
@@ -122,15 +123,12 @@ void write_campaign(const std::filesystem::path& directory, const Study& study, 
     update_database(store, directory, study, text, merge);
     return;
   }
-  // Made beside and renamed once it is whole and closed: a campaign.db is never half a database.
-  const std::filesystem::path aside = directory / "campaign.db.new";
-  for (const char* ending : {"", "-journal"}) std::filesystem::remove(aside.string() + ending);
+  const NewDatabase aside(database);
   {
-    Store store = Store::create(aside, {study.name, text, digest_of(text), now_unix_s(), version(), git_hash()});
+    Store store = Store::create(aside.file(), {study.name, text, digest_of(text), now_unix_s(), version(), git_hash()});
     update_database(store, directory, study, text, merge);
   }
-  std::filesystem::rename(aside, database);
-  sync_directory(directory);
+  aside.put_in_place();
 }
 
 }  // namespace rouleau::campaign

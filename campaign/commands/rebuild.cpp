@@ -4,6 +4,7 @@
 
 #include <ostream>
 
+#include "commands/new_database.hpp"
 #include "commands/verbs.hpp"
 #include "commands/version.hpp"
 #include "executor/lock.hpp"
@@ -32,9 +33,8 @@ std::filesystem::path place_for_the_old(const std::filesystem::path& database) {
     if (const std::string next = fmt::format("{}-{}", name, number); !std::filesystem::exists(next)) return next;
 }
 
-/// Keeps the old database, if there is one, as the copy `kept` and puts the new one in its place.
-void replace_database(const std::filesystem::path& made, const std::filesystem::path& database,
-                      const std::filesystem::path& kept) {
+/// Keeps the old database, if there is one, as the copy `kept`.
+void keep_the_old(const std::filesystem::path& database, const std::filesystem::path& kept) {
   const std::filesystem::path journal = database.string() + "-journal";
   if (std::filesystem::exists(database)) {
     const std::filesystem::path copy = kept.string() + ".tmp";
@@ -43,8 +43,6 @@ void replace_database(const std::filesystem::path& made, const std::filesystem::
   }
   // Only a database that could not be opened still has its journal here: the pair is kept together.
   if (std::filesystem::exists(journal)) std::filesystem::rename(journal, kept.string() + "-journal");
-  std::filesystem::rename(made, database);
-  sync_directory(database.parent_path());
 }
 
 int rebuild(const CommandLine& line) {
@@ -58,15 +56,15 @@ int rebuild(const CommandLine& line) {
   const CampaignRow campaign{study.name, study.text, digest_of(study.text), created_unix_s(database),
                              version(),  git_hash()};
 
-  const std::filesystem::path aside = directory / "campaign.db.new";
-  for (const char* ending : {"", "-journal"}) std::filesystem::remove(aside.string() + ending);
-  const Rebuilt rebuilt = rebuild_store(directory, aside, campaign, study, [](const AttemptRow& attempt) {
+  const NewDatabase aside(database);
+  const Rebuilt rebuilt = rebuild_store(directory, aside.file(), campaign, study, [](const AttemptRow& attempt) {
     // The scheduler is not asked here: the next pass does that.
     if (attempt.engine != local_engine) return Life::unknown;
     return life_of({attempt.host, attempt.boot_id, attempt.pid, attempt.start_ticks});
   });
   const std::filesystem::path kept = place_for_the_old(database);
-  replace_database(aside, database, kept);
+  keep_the_old(database, kept);
+  aside.put_in_place();
 
   for (const std::string& warning : rebuilt.warnings) line.io.err << "warning: " << warning << '\n';
   if (!line.quiet)

@@ -50,6 +50,15 @@ TEST_F(VerbsTest, RebuildAgainKeepsWhatTheFirstHasKept) {
   EXPECT_THAT(on_campaign({"rebuild"}).err, ::testing::Not(HasSubstr("the old file")));
 }
 
+TEST_F(VerbsTest, RebuildThatIsRefusedLeavesEverythingAsItWas) {
+  const std::string before = content_of(campaign_.path() / "campaign.db");
+  std::filesystem::rename(campaign_.path() / "points", campaign_.path() / "elsewhere");
+  EXPECT_EQ(on_campaign({"rebuild"}).code, 3);
+  EXPECT_EQ(content_of(campaign_.path() / "campaign.db"), before);
+  for (const char* beside : {"campaign.db.new", "campaign.db.new-journal", "campaign.db.before-rebuild"})
+    EXPECT_FALSE(std::filesystem::exists(campaign_.path() / beside)) << beside;
+}
+
 TEST_F(VerbsTest, RebuildNamesDamagedFilesAndEndsWith7) {
   set_content(campaign_.run("000000abc009") / "point.json", "{");
   const Answer answer = on_campaign({"rebuild"});
