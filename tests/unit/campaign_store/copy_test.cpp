@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <thread>
 
 #include "sample_rows.hpp"
@@ -21,11 +22,11 @@ TEST(Copy, HasEachPointAsItWasAtOneMomentWhileAWriterGoesOn) {
     Store made = Store::create(file, testing::a_campaign());
     for (const int ordinal : {1, 2, 3}) made.add_point(testing::a_point(ordinal), {}, "added");
   }
-  std::atomic<bool> is_over = false;
   std::atomic<int> written = 0;
-  std::thread writer([&] {
+  const std::jthread writer([&](const std::stop_token& is_over) {
     Store store = Store::open(file);
-    for (int step = 1; !is_over; ++step) {
+    for (int step = 1; !is_over.stop_requested(); ++step) {
+      const auto begin = std::chrono::steady_clock::now();
       Transaction transaction = store.begin();
       for (const int ordinal : {1, 2, 3}) {
         SampleRow sample;
@@ -39,6 +40,8 @@ TEST(Copy, HasEachPointAsItWasAtOneMomentWhileAWriterGoesOn) {
       }
       transaction.commit();
       written = step;
+      // On a slow disk readers would find no gap within the second that they wait.
+      std::this_thread::sleep_for(std::chrono::steady_clock::now() - begin);
     }
   });
   for (int copies = 0; copies < 20 || written < 20; ++copies) {
@@ -49,8 +52,6 @@ TEST(Copy, HasEachPointAsItWasAtOneMomentWhileAWriterGoesOn) {
                                              "(SELECT max(step) FROM sample s WHERE s.point = r.point)"),
               0);
   }
-  is_over = true;
-  writer.join();
 }
 
 }  // namespace
