@@ -134,8 +134,8 @@ find_deadline() {
 
 # Runs the solver on the point in this directory. On SIGUSR2 it is told to write a checkpoint and end.
 run_point() {
-  local status pid
-  trap 'kill -USR2 "$pid"' USR2
+  local status pid signalled
+  trap 'kill -USR2 "$pid"; signalled=1' USR2
   trap '' TERM
   (
     trap - TERM USR2
@@ -143,11 +143,12 @@ run_point() {
       ${deadline_s:+--deadline-s "$deadline_s"} >>"attempts/$attempt/stdout" 2>>"attempts/$attempt/stderr" </dev/null
   ) &
   pid=$!
-  # A trap ends `wait` before the solver has ended.
+  # A trap ends `wait`, with a status that is not the solver's even if that has ended meanwhile.
   while :; do
+    signalled=
     wait "$pid"
     status=$?
-    kill -0 "$pid" 2>/dev/null || break
+    [ -n "$signalled" ] || break
   done
   write "attempts/$attempt/status" "$status"
 }

@@ -145,6 +145,17 @@ TEST_F(JobScriptRun, SignalWaitsForASolverThatCannotTakeItYet) {
   EXPECT_EQ(content_of(attempt("a", 1) / "status"), "75\n");  // 140 if it had been killed
 }
 
+// `wait` returns 140 for the signal, and by the next line the solver may have ended with another status.
+TEST_F(JobScriptRun, StatusIsTheSolversEvenIfItEndsWhileItIsBeingTold) {
+  cluster_.setup = {"kill() { local status=0; builtin kill \"$@\" || status=1; sleep 0.3; return $status; }"};
+  add_point("a", "wait");
+  const pid_t script = start();
+  ASSERT_TRUE(eventually([&] { return std::filesystem::exists(attempt("a", 1) / "started.json"); }));
+  ::kill(script, SIGUSR2);
+  EXPECT_EQ(end_of(script), 0);
+  EXPECT_EQ(content_of(attempt("a", 1) / "status"), "75\n");
+}
+
 TEST_F(JobScriptRun, SecondSignalDoesNoHarm) {
   add_point("a", "wait 0.3");
   const pid_t script = start();
