@@ -2,7 +2,6 @@
 // From a merged study to files and rows.
 #include "commands/campaign_files.hpp"
 
-#include "commands/new_database.hpp"
 #include "commands/version.hpp"
 #include "ingest/ingest.hpp"
 #include "store/store.hpp"
@@ -123,12 +122,10 @@ void write_campaign(const std::filesystem::path& directory, const Study& study, 
     update_database(store, directory, study, text, merge);
     return;
   }
-  const NewDatabase aside(database);
-  {
-    Store store = Store::create(aside.file(), {study.name, text, digest_of(text), now_unix_s(), version(), git_hash()});
+  make_whole_file(database, [&](const std::filesystem::path& aside) {
+    Store store = Store::create(aside, {study.name, text, digest_of(text), now_unix_s(), version(), git_hash()});
     update_database(store, directory, study, text, merge);
-  }
-  aside.put_in_place();
+  });
 }
 
 }  // namespace rouleau::campaign

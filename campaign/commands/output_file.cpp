@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What may be written over, and the way from a name beside to the name.
+// What may be written over.
 #include "commands/output_file.hpp"
 
 #include "study/error.hpp"
@@ -27,19 +27,7 @@ void check(const std::filesystem::path& file, bool may_overwrite) {
 void write_output_file(const std::filesystem::path& file, bool may_overwrite,
                        const std::function<void(const std::filesystem::path& aside)>& write) {
   check(file, may_overwrite);
-  const std::filesystem::path aside = file.string() + ".tmp";
-  const auto remove_aside = [&] {
-    std::error_code ignored;
-    std::filesystem::remove(aside, ignored);
-  };
-  remove_aside();  // what a killed one left
-  try {
-    write(aside);
-    put_in_place(aside, file);
-  } catch (...) {
-    remove_aside();
-    throw;
-  }
+  make_whole_file(file, write);
 }
 
 }  // namespace rouleau::campaign

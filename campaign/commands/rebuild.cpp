@@ -4,7 +4,6 @@
 
 #include <ostream>
 
-#include "commands/new_database.hpp"
 #include "commands/verbs.hpp"
 #include "commands/version.hpp"
 #include "executor/lock.hpp"
@@ -37,9 +36,7 @@ std::filesystem::path place_for_the_old(const std::filesystem::path& database) {
 void keep_the_old(const std::filesystem::path& database, const std::filesystem::path& kept) {
   const std::filesystem::path journal = database.string() + "-journal";
   if (std::filesystem::exists(database)) {
-    const std::filesystem::path copy = kept.string() + ".tmp";
-    std::filesystem::copy_file(database, copy, std::filesystem::copy_options::overwrite_existing);
-    put_in_place(copy, kept);
+    make_whole_file(kept, [&](const std::filesystem::path& aside) { std::filesystem::copy_file(database, aside); });
   }
   // Only a database that could not be opened still has its journal here: the pair is kept together.
   if (std::filesystem::exists(journal)) std::filesystem::rename(journal, kept.string() + "-journal");
@@ -56,15 +53,17 @@ int rebuild(const CommandLine& line) {
   const CampaignRow campaign{study.name, study.text, digest_of(study.text), created_unix_s(database),
                              version(),  git_hash()};
 
-  const NewDatabase aside(database);
-  const Rebuilt rebuilt = rebuild_store(directory, aside.file(), campaign, study, [](const AttemptRow& attempt) {
+  const auto life_of_attempt = [](const AttemptRow& attempt) {
     // The scheduler is not asked here: the next pass does that.
     if (attempt.engine != local_engine) return Life::unknown;
     return life_of({attempt.host, attempt.boot_id, attempt.pid, attempt.start_ticks});
-  });
+  };
   const std::filesystem::path kept = place_for_the_old(database);
-  keep_the_old(database, kept);
-  aside.put_in_place();
+  Rebuilt rebuilt;
+  make_whole_file(database, [&](const std::filesystem::path& aside) {
+    rebuilt = rebuild_store(directory, aside, campaign, study, life_of_attempt);
+    keep_the_old(database, kept);
+  });
 
   for (const std::string& warning : rebuilt.warnings) line.io.err << "warning: " << warning << '\n';
   if (!line.quiet)

@@ -13,11 +13,10 @@ namespace {
 
 /// A complete copy of the database in a file of its own, whole or absent.
 void back_up(const Database& database, const std::filesystem::path& copy) {
-  const std::filesystem::path aside = copy.string() + ".tmp";
-  std::filesystem::remove(aside);
-  Statement statement = database.prepare("VACUUM INTO ?");
-  statement.bind(aside.string()).run();
-  put_in_place(aside, copy);
+  make_whole_file(copy, [&](const std::filesystem::path& aside) {
+    Statement statement = database.prepare("VACUUM INTO ?");
+    statement.bind(aside.string()).run();
+  });
 }
 
 /// Version 2 has the shape of the cell and its markers in the samples, and the tank-treading frequency in the results.

@@ -36,6 +36,22 @@ class Descriptor {
        std::strerror(errno));
 }
 
+/// With the journal, if it is a database's.
+void remove_unfinished(const std::filesystem::path& aside) {
+  std::error_code ignored;
+  for (const char* ending : {"", "-journal"}) std::filesystem::remove(aside.string() + ending, ignored);
+}
+
+void put_in_place(const std::filesystem::path& aside, const std::filesystem::path& file) {
+  {
+    const Descriptor written(aside, O_RDONLY);
+    if (written.fd() < 0) fail_with_errno(aside, "open");
+    if (::fsync(written.fd()) != 0) fail_with_errno(aside, "sync");
+  }
+  if (::rename(aside.c_str(), file.c_str()) != 0) fail_with_errno(file, "rename into place");
+  sync_directory(file.has_parent_path() ? file.parent_path() : ".");
+}
+
 }  // namespace
 
 void write_whole_file(const std::filesystem::path& file, std::string_view text) {
@@ -55,14 +71,17 @@ void write_whole_file(const std::filesystem::path& file, std::string_view text) 
   sync_directory(file.has_parent_path() ? file.parent_path() : ".");
 }
 
-void put_in_place(const std::filesystem::path& aside, const std::filesystem::path& file) {
-  {
-    const Descriptor written(aside, O_RDONLY);
-    if (written.fd() < 0) fail_with_errno(aside, "open");
-    if (::fsync(written.fd()) != 0) fail_with_errno(aside, "sync");
+void make_whole_file(const std::filesystem::path& file,
+                     const std::function<void(const std::filesystem::path& aside)>& write) {
+  const std::filesystem::path aside = file.string() + ".tmp";
+  remove_unfinished(aside);
+  try {
+    write(aside);
+    put_in_place(aside, file);
+  } catch (...) {
+    remove_unfinished(aside);
+    throw;
   }
-  if (::rename(aside.c_str(), file.c_str()) != 0) fail_with_errno(file, "rename into place");
-  sync_directory(file.has_parent_path() ? file.parent_path() : ".");
 }
 
 std::optional<std::string> read_whole_file(const std::filesystem::path& file, std::size_t most_bytes) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,9 +18,11 @@ inline constexpr std::size_t largest_record = std::size_t{1} << 24;
 /// the reason
 void write_whole_file(const std::filesystem::path& file, std::string_view text);
 
-/// Syncs a file that was written aside, renames it over `file`, syncs the directory.   throws Error (failed) naming the
-/// file and the reason
-void put_in_place(const std::filesystem::path& aside, const std::filesystem::path& file);
+/// Has `write` make the file under another name beside `file`; syncs it, renames it over `file`, syncs the directory.
+/// When any of this fails, and when a killed one has left something there, nothing stays beside.
+/// throws Error (failed) naming the file and the reason, and what `write` throws
+void make_whole_file(const std::filesystem::path& file,
+                     const std::function<void(const std::filesystem::path& aside)>& write);
 
 /// The whole content, or nothing if there is no such file.
 /// throws Error (failed) if it exists but cannot be read, or has more than `most_bytes`

@@ -136,7 +136,7 @@ TEST(CampaignInit, KilledInTheMiddleIsSimplyDoneAgain) {
   // What a kill leaves: the lock, a directory without its file, half a database beside.
   std::filesystem::create_directories(program.campaign() / "points" / "0123456789ab");
   set_content(program.campaign() / ".lock", "");
-  set_content(program.campaign() / "campaign.db.new", "SQLite form");
+  set_content(program.campaign() / "campaign.db.tmp", "SQLite form");
   const auto capture = program.init();
   ASSERT_EQ(capture.status, 0) << capture.err;
   EXPECT_EQ(program.run().status, 0);

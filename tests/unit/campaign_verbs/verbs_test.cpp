@@ -55,7 +55,7 @@ TEST_F(VerbsTest, RebuildThatIsRefusedLeavesEverythingAsItWas) {
   std::filesystem::rename(campaign_.path() / "points", campaign_.path() / "elsewhere");
   EXPECT_EQ(on_campaign({"rebuild"}).code, 3);
   EXPECT_EQ(content_of(campaign_.path() / "campaign.db"), before);
-  for (const char* beside : {"campaign.db.new", "campaign.db.new-journal", "campaign.db.before-rebuild"})
+  for (const char* beside : {"campaign.db.tmp", "campaign.db.tmp-journal", "campaign.db.before-rebuild"})
     EXPECT_FALSE(std::filesystem::exists(campaign_.path() / beside)) << beside;
 }
 
